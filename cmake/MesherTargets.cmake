@@ -1,0 +1,40 @@
+# How every target of the project is compiled, and the one way to declare a folder of the stack.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+add_library(mesher_options INTERFACE)
+# A fused multiply-add rounds once where the exactness proofs of the predicates count two roundings.
+target_compile_options(mesher_options INTERFACE -ffp-contract=off -Wall -Wextra -Wconversion -Wshadow -Wpedantic)
+if(MESHER_SANITIZE)
+  target_compile_options(mesher_options INTERFACE -fsanitize=${MESHER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(mesher_options INTERFACE -fsanitize=${MESHER_SANITIZE})
+endif()
+
+# mesher_layer(NAME SOURCES … USES …): the static library mesher_NAME of the folder MesherCore/NAME.
+# USES lists the layers below that it may include; tools/check_layers.py holds the includes to it.
+function(mesher_layer name)
+  cmake_parse_arguments(LAYER "" "" "SOURCES;USES" ${ARGN})
+  add_library(mesher_${name} STATIC ${LAYER_SOURCES})
+  target_include_directories(mesher_${name} PUBLIC "${CMAKE_SOURCE_DIR}/MesherCore")
+  target_link_libraries(mesher_${name} PUBLIC mesher_options)
+  foreach(used IN LISTS LAYER_USES)
+    target_link_libraries(mesher_${name} PUBLIC mesher_${used})
+  endforeach()
+endfunction()
+
+# mesher_test(NAME SOURCES … USES …): a GoogleTest program whose cases are tests of CTest.
+function(mesher_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE mesher_options GTest::gtest_main)
+  target_include_directories(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests")
+  foreach(used IN LISTS TEST_USES)
+    target_link_libraries(${name} PRIVATE mesher_${used})
+  endforeach()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+endfunction()
