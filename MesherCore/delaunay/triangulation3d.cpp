@@ -163,6 +163,7 @@ void Triangulation3d::collectEdgeRing(TetId start, VertexId a, VertexId b, std::
 
 void Triangulation3d::setFaceConstrained(TetFace face, bool constrained)
 {
+    wasConstrained_ |= constrained;
     for (const TetFace side : {face, neighbour(face)}) {
         std::uint16_t& flags = states_[side.tet()].flags;
         const std::uint16_t bit = tet_flag::face(side.face());
@@ -172,6 +173,7 @@ void Triangulation3d::setFaceConstrained(TetFace face, bool constrained)
 
 void Triangulation3d::setEdgeConstrained(TetId tet, VertexId a, VertexId b, bool constrained)
 {
+    wasConstrained_ |= constrained;
     std::vector<TetId> ring;
     collectEdgeRing(tet, a, b, ring);
     for (const TetId t : ring) {
@@ -183,7 +185,16 @@ void Triangulation3d::setEdgeConstrained(TetId tet, VertexId a, VertexId b, bool
 
 void Triangulation3d::clear()
 {
-    *this = Triangulation3d();
+    vertices_.clear();
+    incidentTet_.clear();
+    vertexClass_.clear();
+    freeVertex_ = VertexId();
+    freeVertexCount_ = 0;
+    tets_.clear();
+    states_.clear();
+    regions_.clear();
+    freeTets_.clear();
+    wasConstrained_ = false;
 }
 
 void Triangulation3d::reserve(std::size_t vertices, std::size_t tets)

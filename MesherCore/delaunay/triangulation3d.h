@@ -186,6 +186,8 @@ public:
     }
     void setFaceConstrained(TetFace face, bool constrained);
     void setEdgeConstrained(TetId tet, VertexId a, VertexId b, bool constrained);
+    /// Whether any face or edge was constrained since the triangulation was empty.
+    [[nodiscard]] bool wasConstrained() const { return wasConstrained_; }
 
     // --- storage
     void clear();
@@ -216,6 +218,7 @@ private:
     IdVector<TetId, TetState> states_;
     IdVector<TetId, RegionId> regions_;
     std::vector<TetId> freeTets_;
+    bool wasConstrained_ = false;
 };
 
 /// The region outside of every solid, and of a tetrahedron that nobody classified.
