@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/assert.h"
+#include "base/large_page_allocator.h"
 
 #include <cstdint>
 #include <utility>
@@ -48,7 +49,7 @@ public:
     auto end() const { return items_.end(); }
 
 private:
-    std::vector<T> items_;
+    std::vector<T, LargePageAllocator<T>> items_;
 };
 
 }  // namespace mesher
