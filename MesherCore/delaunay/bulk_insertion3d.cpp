@@ -9,6 +9,9 @@ namespace mesher {
 
 namespace {
 
+/// Ten tetrahedra a point, more than usual sets have, still have 30-bit numbers.
+constexpr std::size_t kMaxPoints = Triangulation3d::kMaxTets / 10;
+
 Result<void> checkPoints(std::span<const Vec3> points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -23,7 +26,7 @@ Result<void> checkPoints(std::span<const Vec3> points)
 Result<BulkInsertion3d> Delaunay3d::insertPoints(std::span<const Vec3> points, const BulkInsertionOptions3d& options,
                                                  RunContext& context)
 {
-    if (points.size() >= kMaxPoints - mesh_.vertexLimit()) {
+    if (points.size() + mesh_.vertexLimit() > kMaxPoints) {
         return Error{ErrorCode::OutOfRange, "too many points for 30-bit tetrahedron numbers", {}, {},
                      "split the point set"};
     }

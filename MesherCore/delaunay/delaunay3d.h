@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace mesher {
@@ -85,6 +86,9 @@ struct DelaunayCounters3d
 };
 
 class VertexRemoval3d;
+
+/// Error of a point that is not finite or out of the exact range; `name` says which point it is.
+Result<void> checkPoint3d(const Vec3& point, std::string_view name);
 
 /// The (constrained) Delaunay tetrahedralization of a changing point set, on exact predicates.
 ///

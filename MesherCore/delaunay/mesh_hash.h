@@ -24,7 +24,7 @@ constexpr std::uint64_t placeHash(Vec3 p)
 {
     std::uint64_t h = mixBits(std::bit_cast<std::uint64_t>(p.x) + 0x9E3779B97F4A7C15u);
     h = mixBits(h ^ std::bit_cast<std::uint64_t>(p.y));
-    return mixBits(h + 0x632BE59BD9B4E019u ^ std::bit_cast<std::uint64_t>(p.z));
+    return mixBits((h + 0x632BE59BD9B4E019u) ^ std::bit_cast<std::uint64_t>(p.z));
 }
 
 /// Hash of a simplex from those of its vertices, whatever their order; `kind` tells apart what is hashed.

@@ -2,6 +2,7 @@
 
 #include "base/vec.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 

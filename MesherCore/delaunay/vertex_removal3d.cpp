@@ -3,7 +3,6 @@
 #include "delaunay/delaunay3d.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace mesher {
 
@@ -19,7 +18,7 @@ std::array<VertexId, 3> smallestFirst(const std::array<VertexId, 3>& face)
 
 }  // namespace
 
-VertexRemoval3d::VertexRemoval3d(Triangulation3d& mesh) : mesh_(mesh) {}
+VertexRemoval3d::VertexRemoval3d(Triangulation3d& mesh) : mesh_(mesh), replacement_(mesh) {}
 
 VertexRemoval3d::~VertexRemoval3d() = default;
 
@@ -61,18 +60,12 @@ void VertexRemoval3d::collectHole()
 {
     holeFaces_.clear();
     corners_.clear();
-    constrainedEdges_.clear();
     for (const TetId tet : star_) {
         const int slot = mesh_.slotOf(tet, vertex_);
         const auto face = mesh_.faceVertices({tet, slot});
         holeFaces_.push_back({smallestFirst(face), mesh_.neighbour(tet, slot)});
         for (const VertexId corner : face) {
             if (!isGhost(corner)) corners_.push_back(corner);
-        }
-        for (int edge = 0; edge < 6; ++edge) {
-            if (!mesh_.isEdgeConstrained(tet, edge)) continue;
-            constrainedEdges_.push_back(
-                {mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1])});
         }
     }
     std::sort(holeFaces_.begin(), holeFaces_.end(),
@@ -99,7 +92,7 @@ void VertexRemoval3d::fillFlatHole()
 {
     for (const HoleFace& face : holeFaces_) {
         if (isGhost(face.corner[2])) continue;
-        filling_.push_back({{face.corner[0], face.corner[1], face.corner[2], kGhostVertex}, {}});
+        filling_.push_back({face.corner[0], face.corner[1], face.corner[2], kGhostVertex});
     }
 }
 
@@ -134,9 +127,8 @@ bool VertexRemoval3d::fillFromDelaunay()
     if (matched != holeFaces_.size()) return false;
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const TetRecord& record = local.tet(queue_[next]);
-        filling_.push_back({{original(record.vertex[0]), original(record.vertex[1]), original(record.vertex[2]),
-                             original(record.vertex[3])},
-                            {}});
+        filling_.push_back({original(record.vertex[0]), original(record.vertex[1]), original(record.vertex[2]),
+                            original(record.vertex[3])});
         for (unsigned face = 0; face < 4; ++face) {
             const TetId other = record.neighbour[face].tet();
             if (isBounded_[queue_[next].value * 4 + face] != 0 || isInside_[other.value] != 0) continue;
@@ -149,63 +141,9 @@ bool VertexRemoval3d::fillFromDelaunay()
 
 TetId VertexRemoval3d::commit()
 {
-    RegionId region = kExteriorRegion;
-    for (const TetId tet : star_) {
-        if (!mesh_.isGhostTet(tet)) region = mesh_.region(tet);
-    }
-    for (FillingTet& filling : filling_) {
-        filling.created = mesh_.allocateTet();
-        mesh_.tet(filling.created).vertex = filling.vertex;
-        if (!isGhost(filling.vertex[3])) mesh_.setRegion(filling.created, region);
-        for (const VertexId v : filling.vertex) {
-            if (!isGhost(v)) mesh_.setIncidentTet(v, filling.created);
-        }
-    }
-    linkFilling();
-    for (const FillingTet& filling : filling_) carryConstraints(filling.created);
-    for (const TetId tet : star_) mesh_.freeTet(tet);
+    const TetId created = replacement_.replace(star_, filling_);
     mesh_.removeVertex(vertex_);
-    return filling_.front().created;
-}
-
-void VertexRemoval3d::linkFilling()
-{
-    openFaces_.clear();
-    for (const FillingTet& filling : filling_) {
-        for (int i = 0; i < 4; ++i) {
-            const TetFace face(filling.created, i);
-            const auto corner = smallestFirst(mesh_.faceVertices(face));
-            const std::uint32_t hole = findHoleFace(corner);
-            if (hole != kNone) {
-                mesh_.link(face, holeFaces_[hole].outer);
-                continue;
-            }
-            auto key = corner;
-            std::sort(key.begin(), key.end());
-            openFaces_.push_back({key, face});
-        }
-    }
-    std::sort(openFaces_.begin(), openFaces_.end(), [](const OpenFace& a, const OpenFace& b) {
-        return std::tie(a.corner, a.face) < std::tie(b.corner, b.face);
-    });
-    MESHER_INVARIANT(openFaces_.size() % 2 == 0);
-    for (std::size_t i = 0; i + 1 < openFaces_.size(); i += 2) {
-        MESHER_INVARIANT(openFaces_[i].corner == openFaces_[i + 1].corner);
-        mesh_.link(openFaces_[i].face, openFaces_[i + 1].face);
-    }
-}
-
-void VertexRemoval3d::carryConstraints(TetId tet)
-{
-    std::uint16_t& flags = mesh_.state(tet).flags;
-    for (int face = 0; face < 4; ++face) {
-        if (mesh_.isFaceConstrained(mesh_.neighbour(tet, face))) flags |= tet_flag::face(face);
-    }
-    for (const auto& [a, b] : constrainedEdges_) {
-        const int slotA = mesh_.slotOf(tet, a);
-        const int slotB = mesh_.slotOf(tet, b);
-        if (slotA >= 0 && slotB >= 0) flags |= tet_flag::edge(kEdgeOfSlots[slotA][slotB]);
-    }
+    return created;
 }
 
 }  // namespace mesher

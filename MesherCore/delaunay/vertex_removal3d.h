@@ -1,5 +1,6 @@
 #pragma once
 
+#include "delaunay/tet_replacement3d.h"
 #include "delaunay/triangulation3d.h"
 
 #include <array>
@@ -46,17 +47,6 @@ private:
         std::array<VertexId, 3> corner;
         TetFace outer;
     };
-    struct FillingTet
-    {
-        std::array<VertexId, 4> vertex;
-        TetId created;
-    };
-    /// A face between two tetrahedra of the filling, by its sorted corners.
-    struct OpenFace
-    {
-        std::array<VertexId, 3> corner;
-        TetFace face;
-    };
 
     bool isOnConstraint() const;
     void collectHole();
@@ -64,17 +54,14 @@ private:
     void fillFlatHole();
     bool fillFromDelaunay();
     std::uint32_t findHoleFace(const std::array<VertexId, 3>& corner) const;
-    void linkFilling();
-    void carryConstraints(TetId tet);
 
     Triangulation3d& mesh_;
     VertexId vertex_;
     std::vector<TetId> star_;
     std::vector<HoleFace> holeFaces_;
     std::vector<VertexId> corners_;  ///< finite vertices of the hole
-    std::vector<std::array<VertexId, 2>> constrainedEdges_;
-    std::vector<FillingTet> filling_;
-    std::vector<OpenFace> openFaces_;
+    std::vector<TetCorners> filling_;
+    TetReplacement3d replacement_;
     std::vector<TetId> queue_;
     std::vector<char> isInside_;   ///< by tetrahedron of local_
     std::vector<char> isBounded_;  ///< by face of local_: it is a face of the hole, seen from inside
