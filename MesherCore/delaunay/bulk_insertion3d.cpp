@@ -12,6 +12,11 @@ namespace {
 /// Ten tetrahedra a point, more than usual sets have, still have 30-bit numbers.
 constexpr std::size_t kMaxPoints = Triangulation3d::kMaxTets / 10;
 
+constexpr std::size_t kLookAhead = 8;
+
+/// Once this part of the points is in, the memory for all is known well enough to be claimed at once.
+constexpr std::size_t kSampleShare = 8;
+
 Result<void> checkPoints(std::span<const Vec3> points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -42,15 +47,21 @@ Result<BulkInsertion3d> Delaunay3d::insertPoints(std::span<const Vec3> points, c
     if (wantsScaffold) scaffold = scaffoldPoints(points);
     expectPointsIn(Box3::of(points));
     expectPointsIn(Box3::of(scaffold));
-    const std::size_t total = points.size() + scaffold.size();
-    // A little above the mean of 6.77 tetrahedra a point of a uniform set; other sets grow the arrays.
-    mesh_.reserve(mesh_.vertexLimit() + total, mesh_.tetLimit() + total * 69 / 10);
 
     BulkInsertion3d result;
     result.scaffoldPoints = static_cast<std::uint32_t>(scaffold.size());
     result.stopReason = insertInOrder(points, scaffold, options, context, result);
     mesh_.rebuildIncidentTets();
     return result;
+}
+
+/// The last rounds of the order refine the whole set evenly, so the tetrahedra per vertex stay about what they are.
+void Delaunay3d::reserveAfterSample(std::size_t remaining, std::size_t inserted)
+{
+    if (inserted == 0) return;
+    const double tetsPerVertex = 1.02 * mesh_.tetCount() / (mesh_.vertexCount() + 1.0);
+    const auto further = static_cast<std::size_t>(tetsPerVertex * static_cast<double>(remaining));
+    mesh_.reserve(mesh_.vertexLimit() + remaining, mesh_.tetLimit() + further);
 }
 
 StopReason Delaunay3d::insertInOrder(std::span<const Vec3> points, std::span<const Vec3> scaffold,
@@ -68,7 +79,12 @@ StopReason Delaunay3d::insertInOrder(std::span<const Vec3> points, std::span<con
     VertexClass scaffoldClass;
     scaffoldClass.scaffold = 1;
     StageProgress progress(context, "Delaunay tetrahedralization", points.size());
-    for (const std::uint32_t index : brioOrder(points, context.seed())) {
+    const std::vector<std::uint32_t> order = brioOrder(points, context.seed());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        // The points lie in memory in the caller's order, so the processor cannot guess which one is next.
+        if (i == order.size() / kSampleShare) reserveAfterSample(order.size() - i, i);
+        if (i + kLookAhead < order.size()) __builtin_prefetch(&points[order[i + kLookAhead]]);
+        const std::uint32_t index = order[i];
         const Vec3 point{points[index].x + 0.0, points[index].y + 0.0, points[index].z + 0.0};
         const std::uint32_t before = mesh_.vertexCount();
         const bool isOwn = index < ownCount;

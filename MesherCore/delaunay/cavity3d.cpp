@@ -1,9 +1,11 @@
 #include "delaunay/cavity3d.h"
 
 #include "predicates/insphere.h"
+#include "predicates/insphere_vectorised.h"
 #include "predicates/orient3d.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mesher {
@@ -35,11 +37,32 @@ bool isSameEdge(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
 
 // --- conflict search
 
-inline bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const
+CavityOperator3d::CavityOperator3d(Triangulation3d& triangulation)
+    : mesh_(triangulation), canVectorise_(canVectoriseInsphere())
+{}
+
+inline bool CavityOperator3d::isInConflict(TetId tet, const VertexRecord& point, const StaticFilter3d& filter) const
 {
     const VertexRecord* vertices = mesh_.vertexData();
-    const TetRecord* record = mesh_.tetData() + tet.value;
-    if (isGhost(record->vertex[3])) [[unlikely]] {
+    const TetRecord& record = mesh_.tetData()[tet.value];
+    if (canVectorise_ && !isGhost(record.vertex[3])) [[likely]] {
+        const InsphereVectorEstimate estimate = insphereEstimateVectorised(
+            &vertices[record.vertex[0].value].position.x, &vertices[record.vertex[1].value].position.x,
+            &vertices[record.vertex[2].value].position.x, &vertices[record.vertex[3].value].position.x,
+            &point.position.x);
+        const double magnitude = std::abs(estimate.determinant);
+        if (magnitude > filter.insphere || magnitude > estimate.errorBound()) [[likely]] {
+            return estimate.determinant > 0.0;
+        }
+    }
+    return isInConflictExactly(record, point.position, filter);
+}
+
+bool CavityOperator3d::isInConflictExactly(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const
+{
+    const VertexRecord* vertices = mesh_.vertexData();
+    const TetRecord* record = &tet;
+    if (isGhost(record->vertex[3])) {
         const Sign side = orient3d(filter, vertices[record->vertex[0].value].position,
                                    vertices[record->vertex[1].value].position,
                                    vertices[record->vertex[2].value].position, point);
@@ -50,6 +73,15 @@ inline bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const S
     return inspherePerturbed(filter, vertices[record->vertex[0].value].position,
                              vertices[record->vertex[1].value].position, vertices[record->vertex[2].value].position,
                              vertices[record->vertex[3].value].position, point) == Sign::Positive;
+}
+
+/// The search comes to the neighbours a few tetrahedra later: time enough to fetch them.
+inline void CavityOperator3d::prefetchAround(TetId tet) const
+{
+    for (const TetFace neighbour : mesh_.tetData()[tet.value].neighbour) {
+        __builtin_prefetch(mesh_.tetData() + neighbour.tet().value);
+        __builtin_prefetch(mesh_.stateData() + neighbour.tet().value);
+    }
 }
 
 bool CavityOperator3d::isSplitFace(const std::array<VertexId, 3>& face) const
@@ -71,7 +103,7 @@ inline void CavityOperator3d::addFace(TetId inner, int face, TetFace outer)
 }
 
 template <bool kConstrained>
-void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d& filter)
+void CavityOperator3d::collectConflicts(const VertexRecord& point, const StaticFilter3d& filter)
 {
     std::vector<TetId>& tets = cavity_.tets;
     for (std::size_t next = 0; next < tets.size(); ++next) {
@@ -90,6 +122,7 @@ void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d&
             if (isInConflict(other, point, filter)) {
                 state.flags |= tet_flag::kInCavity;
                 tets.push_back(other);
+                prefetchAround(other);
             } else {
                 addFace(inner, face, outer);
             }
@@ -108,7 +141,7 @@ const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId>
     cavity_.repairs = 0;
     split_ = split;
     for (const TetId seed : seeds) mark(seed);
-    collectConflicts<true>(point, filter);
+    collectConflicts<true>(VertexRecord{point}, filter);
     marked_ = cavity_.tets;
     while (cavity_.status == CavityStatus::Ready && repairOnce(seeds, filter)) refloodFromSeeds(seeds);
     for (const TetId tet : marked_) unmark(tet);
@@ -387,7 +420,7 @@ TetId CavityOperator3d::insertUnconstrained(VertexId vertex, TetId seed, const S
     cavity_.faces.clear();
     cavity_.tets.push_back(seed);
     mark(seed);
-    collectConflicts<false>(mesh_.position(vertex), filter);
+    collectConflicts<false>(mesh_.vertexData()[vertex.value], filter);
     return retriangulate<false>(vertex);
 }
 

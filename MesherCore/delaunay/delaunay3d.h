@@ -163,6 +163,7 @@ private:
     void removePending(VertexId vertex);
 
     TetId placeVertex(VertexId vertex);
+    void reserveAfterSample(std::size_t remaining, std::size_t inserted);
     StopReason insertInOrder(std::span<const Vec3> points, std::span<const Vec3> scaffold,
                              const BulkInsertionOptions3d& options, RunContext& context, BulkInsertion3d& result);
 
