@@ -1,0 +1,93 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+namespace mesher {
+
+/// How much of the state is verified between steps, in every build type.
+enum class CheckLevel
+{
+    Off,
+    Local,  ///< constant work per operation
+    Full    ///< the whole-mesh checkers
+};
+
+enum class LogLevel
+{
+    Debug,
+    Info,
+    Warning
+};
+
+/// Told how far a stage is, fraction in [0, 1]; returns false to cancel the run.
+using ProgressHook = std::function<bool(std::string_view stage, double fraction)>;
+using LogHook = std::function<void(LogLevel level, std::string_view message)>;
+
+/// What a caller chooses for a run. A default-made one is silent, checks nothing and uses one thread.
+/// The hooks are called on the thread that called the library.
+struct RunSettings
+{
+    ProgressHook progress;
+    LogHook log;
+    std::uint64_t seed = 1;  ///< of every random choice of the run; the same seed gives the same mesh
+    CheckLevel checkLevel = CheckLevel::Off;
+    unsigned threads = 1;  ///< at least 1; the result does not depend on it
+};
+
+/// Progress, cancellation, log, seed and check level of one run, handed down by reference: the library has no
+/// global state. One context serves one run; only `requestCancel` and `isCancelled` may be called from other
+/// threads (and from signal handlers).
+class RunContext
+{
+public:
+    RunContext() = default;
+    explicit RunContext(RunSettings settings);
+    RunContext(const RunContext&) = delete;
+    RunContext& operator=(const RunContext&) = delete;
+
+    void requestCancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    [[nodiscard]] bool isCancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+    /// Tells the progress hook; false if the run is to end, now or because it was cancelled before.
+    bool reportProgress(std::string_view stage, double fraction);
+    void log(LogLevel level, std::string_view message) const;
+
+    [[nodiscard]] std::uint64_t seed() const { return settings_.seed; }
+    [[nodiscard]] CheckLevel checkLevel() const { return settings_.checkLevel; }
+    [[nodiscard]] unsigned threads() const { return settings_.threads; }
+
+private:
+    static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may cancel");
+
+    RunSettings settings_;
+    std::atomic<bool> cancelled_ = false;
+};
+
+/// Progress of one stage of known length: counts steps and tells the hook about each new hundredth only, so a
+/// step costs an addition and a compare. Counting rather than timing keeps the calls reproducible.
+class StageProgress
+{
+public:
+    /// `stage` must outlive this object (a string literal).
+    StageProgress(RunContext& context, std::string_view stage, std::uint64_t stepCount);
+
+    /// False if the run is to end.
+    [[nodiscard]] bool advance(std::uint64_t steps = 1);
+    /// Tells the hook that the stage is complete, once; false if the run is to end.
+    bool finish();
+
+private:
+    [[nodiscard]] bool report();
+
+    RunContext& context_;
+    std::string_view stage_;
+    std::uint64_t stepCount_;
+    std::uint64_t done_ = 0;
+    std::uint64_t nextReport_;
+    bool isFinished_ = false;
+};
+
+}  // namespace mesher
