@@ -31,6 +31,8 @@ struct Cavity2d
     /// Triangles taken out again because the point does not see one of their edges. Always 0 in a constrained
     /// Delaunay triangulation; a caller counts it.
     unsigned repairs = 0;
+    /// Of the state in which the cavity was found; Delaunay2d tells a stale cavity by it.
+    std::uint64_t revision = 0;
 
     /// Scratch of the search.
     std::vector<std::pair<EdgeLink, RegionId>> pending;

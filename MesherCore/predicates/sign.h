@@ -16,5 +16,7 @@ constexpr Sign signOf(double value)
 {
     return value > 0.0 ? Sign::Positive : (value < 0.0 ? Sign::Negative : Sign::Zero);
 }
+/// The sign of a value that a filter has proven to differ from zero.
+constexpr Sign signOfNonZero(double value) { return value > 0.0 ? Sign::Positive : Sign::Negative; }
 
 }  // namespace mesher

@@ -1,0 +1,402 @@
+#include "delaunay/cavity3d.h"
+
+#include "predicates/insphere.h"
+#include "predicates/orient3d.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mesher {
+
+namespace {
+
+/// Orders the vertices of a face that its tetrahedron sees on its positive side for a new tetrahedron that has the new
+/// point in front: reversed, and turned until the ghost is last.
+std::array<VertexId, 3> facingPoint(VertexId f0, VertexId f1, VertexId f2)
+{
+    if (isGhost(f0)) return {f2, f1, f0};
+    if (isGhost(f1)) return {f0, f2, f1};
+    return {f1, f0, f2};
+}
+
+bool isSameFace(std::array<VertexId, 3> a, std::array<VertexId, 3> b)
+{
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    return a == b;
+}
+
+bool isSameEdge(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
+{
+    return (edge[0] == a && edge[1] == b) || (edge[0] == b && edge[1] == a);
+}
+
+}  // namespace
+
+// --- conflict search
+
+bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const
+{
+    const VertexRecord* vertices = mesh_.vertexData();
+    const TetRecord* record = mesh_.tetData() + tet.value;
+    if (isGhost(record->vertex[3])) [[unlikely]] {
+        const Sign side = orient3d(filter, vertices[record->vertex[0].value].position,
+                                   vertices[record->vertex[1].value].position,
+                                   vertices[record->vertex[2].value].position, point);
+        if (side != Sign::Zero) return side == Sign::Positive;
+        // In the plane of the hull facet the circumcircle decides, which the sphere behind the facet cuts out of it.
+        record = mesh_.tetData() + record->neighbour[3].tet().value;
+    }
+    return inspherePerturbed(filter, vertices[record->vertex[0].value].position,
+                             vertices[record->vertex[1].value].position, vertices[record->vertex[2].value].position,
+                             vertices[record->vertex[3].value].position, point) == Sign::Positive;
+}
+
+bool CavityOperator3d::isSplitFace(const std::array<VertexId, 3>& face) const
+{
+    if (split_.kind == CavitySplit3d::Kind::Face) return isSameFace(face, split_.vertex);
+    const auto has = [&](VertexId v) { return std::find(face.begin(), face.end(), v) != face.end(); };
+    return split_.kind == CavitySplit3d::Kind::Edge && has(split_.vertex[0]) && has(split_.vertex[1]);
+}
+
+bool CavityOperator3d::isCrossingForbidden(TetFace face) const
+{
+    return mesh_.isFaceConstrained(face) && !isSplitFace(mesh_.faceVertices(face));
+}
+
+void CavityOperator3d::addFace(TetId inner, int face, TetFace outer)
+{
+    const auto [f0, f1, f2] = mesh_.faceVertices({inner, face});
+    cavity_.faces.push_back({outer, facingPoint(f0, f1, f2)});
+}
+
+template <bool kConstrained>
+void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d& filter)
+{
+    std::vector<TetId>& tets = cavity_.tets;
+    for (std::size_t next = 0; next < tets.size(); ++next) {
+        const TetId inner = tets[next];
+        for (int face = 0; face < 4; ++face) {
+            const TetFace outer = mesh_.tetData()[inner.value].neighbour[static_cast<unsigned>(face)];
+            const TetId other = outer.tet();
+            if constexpr (kConstrained) {
+                if (isCrossingForbidden({inner, face})) {
+                    addFace(inner, face, outer);
+                    continue;
+                }
+            }
+            TetState& state = mesh_.stateData()[other.value];
+            if ((state.flags & tet_flag::kInCavity) != 0) continue;
+            if (isInConflict(other, point, filter)) {
+                state.flags |= tet_flag::kInCavity;
+                tets.push_back(other);
+            } else {
+                addFace(inner, face, outer);
+            }
+        }
+    }
+}
+
+const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split,
+                                       const StaticFilter3d& filter)
+{
+    cavity_.status = CavityStatus::Ready;
+    cavity_.point = point;
+    cavity_.tets.assign(seeds.begin(), seeds.end());
+    cavity_.faces.clear();
+    cavity_.blocker = {};
+    cavity_.repairs = 0;
+    split_ = split;
+    for (const TetId seed : seeds) mark(seed);
+    collectConflicts<true>(point, filter);
+    marked_ = cavity_.tets;
+    while (cavity_.status == CavityStatus::Ready && repairOnce(seeds, filter)) refloodFromSeeds(seeds);
+    for (const TetId tet : marked_) unmark(tet);
+    finish();
+    return cavity_;
+}
+
+void CavityOperator3d::finish()
+{
+    cavity_.constraints.clear();
+    cavity_.constrainedFaces.clear();
+    splitPerimeter_.clear();
+    splitsConstrainedEdge_ = false;
+    for (const CavityFace3d& face : cavity_.faces) {
+        const TetFace inner = mesh_.neighbour(face.outer);
+        CavityFaceConstraints3d carried;
+        carried.region = mesh_.region(inner.tet());
+        for (unsigned k = 0; k < 3; ++k) {
+            const int a = mesh_.slotOf(inner.tet(), face.vertex[(k + 1) % 3]);
+            const int b = mesh_.slotOf(inner.tet(), face.vertex[(k + 2) % 3]);
+            if (mesh_.isEdgeConstrained(inner.tet(), kEdgeOfSlots[a][b])) {
+                carried.edges = static_cast<std::uint8_t>(carried.edges | (1u << k));
+            }
+        }
+        cavity_.constraints.push_back(carried);
+        if (mesh_.isFaceConstrained(face.outer)) cavity_.constrainedFaces.push_back(face.outer);
+    }
+    if (split_.kind == CavitySplit3d::Kind::None) return;
+    for (const TetId tet : cavity_.tets) {
+        for (int i = 0; i < 4; ++i) {
+            const auto corners = mesh_.faceVertices({tet, i});
+            if (!mesh_.isFaceConstrained({tet, i}) || !isSplitFace(corners)) continue;
+            for (unsigned k = 0; k < 3; ++k) {
+                const VertexId a = corners[k];
+                const VertexId b = corners[(k + 1) % 3];
+                const bool isSplitEdge = split_.kind == CavitySplit3d::Kind::Edge &&
+                                         isSameEdge({split_.vertex[0], split_.vertex[1]}, a, b);
+                if (!isSplitEdge) splitPerimeter_.push_back({a, b});
+            }
+        }
+        if (split_.kind != CavitySplit3d::Kind::Edge) continue;
+        const int a = mesh_.slotOf(tet, split_.vertex[0]);
+        const int b = mesh_.slotOf(tet, split_.vertex[1]);
+        splitsConstrainedEdge_ |= a >= 0 && b >= 0 && mesh_.isEdgeConstrained(tet, kEdgeOfSlots[a][b]);
+    }
+}
+
+// --- repair
+
+void CavityOperator3d::refloodFromSeeds(std::span<const TetId> seeds)
+{
+    for (const TetId tet : cavity_.tets) {
+        if (isMarked(tet)) mesh_.state(tet).flags |= tet_flag::kAllowed;
+        unmark(tet);
+    }
+    previous_.swap(cavity_.tets);
+    cavity_.tets.assign(seeds.begin(), seeds.end());
+    cavity_.faces.clear();
+    for (const TetId seed : seeds) mark(seed);
+    for (std::size_t next = 0; next < cavity_.tets.size(); ++next) {
+        const TetId inner = cavity_.tets[next];
+        for (int face = 0; face < 4; ++face) {
+            const TetFace outer = mesh_.neighbour(inner, face);
+            const bool isForbidden = isCrossingForbidden({inner, face});
+            if (!isForbidden && isMarked(outer.tet())) continue;
+            if (!isForbidden && (mesh_.flags(outer.tet()) & tet_flag::kAllowed) != 0) {
+                mark(outer.tet());
+                cavity_.tets.push_back(outer.tet());
+            } else {
+                addFace(inner, face, outer);
+            }
+        }
+    }
+    for (const TetId tet : previous_) {
+        std::uint16_t& flags = mesh_.state(tet).flags;
+        flags = static_cast<std::uint16_t>(flags & ~tet_flag::kAllowed);
+    }
+}
+
+bool CavityOperator3d::repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter)
+{
+    return repairEnclosedFaces(seeds, filter) || repairEnclosedEdges(seeds, filter) || repairVisibility(seeds, filter);
+}
+
+bool CavityOperator3d::takeOut(TetId tet, std::span<const TetId> seeds, CavityStatus reason)
+{
+    if (!isMarked(tet)) return false;
+    if (std::find(seeds.begin(), seeds.end(), tet) != seeds.end()) {
+        cavity_.status = reason;
+        return false;
+    }
+    unmark(tet);
+    ++cavity_.repairs;
+    return true;
+}
+
+bool CavityOperator3d::repairEnclosedFaces(std::span<const TetId> seeds, const StaticFilter3d& filter)
+{
+    bool isChanged = false;
+    for (const CavityFace3d& face : cavity_.faces) {
+        if (!isMarked(face.outer.tet())) continue;
+        const TetFace inner = mesh_.neighbour(face.outer);
+        if (!isMarked(inner.tet())) continue;
+        // A face with the ghost has no plane; the side that is not a seed goes.
+        const auto& v = face.vertex;
+        const bool isBehind = isGhost(v[2]) || orient3d(filter, cavity_.point, mesh_.position(v[0]),
+                                                        mesh_.position(v[1]), mesh_.position(v[2])) != Sign::Positive;
+        if (!isBehind) continue;  // the same face seen from the other side is in the list too
+        if (takeOut(inner.tet(), seeds, CavityStatus::BlockedByConstraint)) isChanged = true;
+        if (cavity_.status != CavityStatus::Ready) {
+            cavity_.blocker = {v[0], v[1], v[2]};
+            return false;
+        }
+    }
+    return isChanged;
+}
+
+bool CavityOperator3d::isEdgeEnclosed(TetId tet, int edge) const
+{
+    std::vector<TetId> ring;
+    mesh_.collectEdgeRing(tet, mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]), ring);
+    return std::all_of(ring.begin(), ring.end(), [&](TetId t) { return isMarked(t); });
+}
+
+TetId CavityOperator3d::tetBehindEdge(TetId tet, int edge, const StaticFilter3d& filter) const
+{
+    const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
+    const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
+    std::vector<TetId> ring;
+    mesh_.collectEdgeRing(tet, a, b, ring);
+    for (const TetId candidate : ring) {
+        if (mesh_.isGhostTet(candidate)) continue;
+        int behind = 0;
+        int seen = 0;
+        for (int face = 0; face < 4; ++face) {
+            const VertexId opposite = mesh_.vertex(candidate, face);
+            if (opposite == a || opposite == b) continue;
+            const auto [f0, f1, f2] = mesh_.faceVertices({candidate, face});
+            const Sign side = orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2),
+                                       cavity_.point);
+            behind += side == Sign::Negative ? 1 : 0;
+            seen += side == Sign::Positive ? 1 : 0;
+        }
+        if (behind > 0 && seen == 0) return candidate;
+    }
+    return {};
+}
+
+bool CavityOperator3d::repairEnclosedEdges(std::span<const TetId> seeds, const StaticFilter3d& filter)
+{
+    for (const TetId tet : cavity_.tets) {
+        if ((mesh_.flags(tet) & tet_flag::kEdges) == 0) continue;
+        for (int edge = 0; edge < 6; ++edge) {
+            if (!mesh_.isEdgeConstrained(tet, edge)) continue;
+            const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
+            const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
+            const bool isSplit = split_.kind == CavitySplit3d::Kind::Edge &&
+                                 isSameEdge({split_.vertex[0], split_.vertex[1]}, a, b);
+            if (isSplit || !isEdgeEnclosed(tet, edge)) continue;
+            const TetId behind = tetBehindEdge(tet, edge, filter);
+            if (behind.isValid() && takeOut(behind, seeds, CavityStatus::BlockedByConstraint)) return true;
+            cavity_.status = CavityStatus::BlockedByConstraint;
+            cavity_.blocker = {a, b, VertexId()};
+            return false;
+        }
+    }
+    return false;
+}
+
+bool CavityOperator3d::repairVisibility(std::span<const TetId> seeds, const StaticFilter3d& filter)
+{
+    bool isChanged = false;
+    for (const CavityFace3d& face : cavity_.faces) {
+        const auto& v = face.vertex;
+        if (isGhost(v[2])) continue;
+        if (orient3d(filter, cavity_.point, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])) ==
+            Sign::Positive) {
+            continue;
+        }
+        const TetId inner = mesh_.neighbour(face.outer).tet();
+        if (takeOut(inner, seeds, CavityStatus::NotStarShaped)) isChanged = true;
+        if (cavity_.status != CavityStatus::Ready) {
+            if (mesh_.isFaceConstrained(face.outer)) cavity_.status = CavityStatus::BlockedByConstraint;
+            cavity_.blocker = {v[0], v[1], v[2]};
+            return false;
+        }
+    }
+    return isChanged;
+}
+
+// --- retriangulation
+
+template <bool kConstrained>
+TetId CavityOperator3d::retriangulate(VertexId vertex)
+{
+    const std::vector<CavityFace3d>& faces = cavity_.faces;
+    std::vector<TetId>& slots = cavity_.tets;
+    linker_.begin(mesh_.vertexLimit());
+    localFaces_.resize(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        for (unsigned k = 0; k < 3; ++k) localFaces_[i].vertex[k] = linker_.number(faces[i].vertex[k]);
+    }
+    linker_.prepare();
+    const std::size_t reused = std::min(slots.size(), faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const CavityFace3d& face = faces[i];
+        const TetId tet = i < reused ? slots[i] : mesh_.allocateTet();
+        if (i < reused) mesh_.renewTet(tet);
+        TetRecord& record = mesh_.tetData()[tet.value];
+        record.vertex = {vertex, face.vertex[0], face.vertex[1], face.vertex[2]};
+        record.neighbour[0] = face.outer;
+        mesh_.tetData()[face.outer.code >> 2].neighbour[face.outer.code & 3u] = TetFace(tet, 0);
+        LocalFace& local = localFaces_[i];
+        local.tet = tet;
+        linker_.put(local.vertex[1], local.vertex[2], TetFace(tet, 1));
+        linker_.put(local.vertex[2], local.vertex[0], TetFace(tet, 2));
+        linker_.put(local.vertex[0], local.vertex[1], TetFace(tet, 3));
+    }
+    for (std::size_t i = reused; i < slots.size(); ++i) mesh_.freeTet(slots[i]);
+    for (const LocalFace& local : localFaces_) {
+        TetRecord& record = mesh_.tetData()[local.tet.value];
+        record.neighbour[1] = linker_.get(local.vertex[2], local.vertex[1]);
+        record.neighbour[2] = linker_.get(local.vertex[0], local.vertex[2]);
+        record.neighbour[3] = linker_.get(local.vertex[1], local.vertex[0]);
+    }
+    if constexpr (kConstrained) carryConstraints(vertex);
+    return localFaces_.front().tet;
+}
+
+void CavityOperator3d::carryConstraints(VertexId vertex)
+{
+    for (std::size_t i = 0; i < localFaces_.size(); ++i) {
+        const TetId tet = localFaces_[i].tet;
+        const CavityFaceConstraints3d& carried = cavity_.constraints[i];
+        std::uint16_t& flags = mesh_.state(tet).flags;
+        if (mesh_.isFaceConstrained(cavity_.faces[i].outer)) flags |= tet_flag::face(0);
+        for (int k = 0; k < 3; ++k) {
+            if ((carried.edges >> k & 1) == 0) continue;
+            flags |= tet_flag::edge(kEdgeOfSlots[(k + 1) % 3 + 1][(k + 2) % 3 + 1]);
+        }
+        mesh_.setRegion(tet, carried.region);
+        for (const VertexId v : cavity_.faces[i].vertex) {
+            if (!isGhost(v)) mesh_.setIncidentTet(v, tet);
+        }
+    }
+    mesh_.setIncidentTet(vertex, localFaces_.front().tet);
+    if (split_.kind != CavitySplit3d::Kind::None) constrainSplitParts();
+}
+
+void CavityOperator3d::constrainSplitParts()
+{
+    for (const LocalFace& local : localFaces_) {
+        std::uint16_t& flags = mesh_.state(local.tet).flags;
+        for (int k = 0; k < 3; ++k) {
+            const VertexId a = mesh_.vertex(local.tet, (k + 1) % 3 + 1);
+            const VertexId b = mesh_.vertex(local.tet, (k + 2) % 3 + 1);
+            const bool isPart = std::any_of(splitPerimeter_.begin(), splitPerimeter_.end(),
+                                            [&](const auto& edge) { return isSameEdge(edge, a, b); });
+            if (isPart) flags |= tet_flag::face(k + 1);
+            const VertexId end = mesh_.vertex(local.tet, k + 1);
+            const bool isHalf = splitsConstrainedEdge_ && (end == split_.vertex[0] || end == split_.vertex[1]);
+            if (isHalf) flags |= tet_flag::edge(kEdgeOfSlots[0][k + 1]);
+        }
+    }
+}
+
+TetId CavityOperator3d::commit(VertexId vertex)
+{
+    MESHER_PRECONDITION(cavity_.status == CavityStatus::Ready);
+    return retriangulate<true>(vertex);
+}
+
+TetId CavityOperator3d::insertUnconstrained(VertexId vertex, TetId seed, const StaticFilter3d& filter)
+{
+    cavity_.tets.clear();
+    cavity_.faces.clear();
+    cavity_.tets.push_back(seed);
+    mark(seed);
+    collectConflicts<false>(mesh_.position(vertex), filter);
+    return retriangulate<false>(vertex);
+}
+
+std::size_t CavityOperator3d::bytes() const
+{
+    return cavity_.tets.capacity() * sizeof(TetId) + cavity_.faces.capacity() * sizeof(CavityFace3d) +
+           cavity_.constraints.capacity() * sizeof(CavityFaceConstraints3d) +
+           cavity_.constrainedFaces.capacity() * sizeof(TetFace) + localFaces_.capacity() * sizeof(LocalFace) +
+           linker_.bytes();
+}
+
+}  // namespace mesher

@@ -1,0 +1,144 @@
+#pragma once
+
+#include "delaunay/edge_linker.h"
+#include "delaunay/triangulation3d.h"
+#include "predicates/static_filter.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mesher {
+
+/// A face of the surface of a cavity.
+struct CavityFace3d
+{
+    /// The face seen from the tetrahedron outside.
+    TetFace outer;
+    /// Its vertices, such that the new tetrahedron (point, vertex[0], vertex[1], vertex[2]) is positively oriented;
+    /// the ghost, if any, is last.
+    std::array<VertexId, 3> vertex;
+};
+
+/// What a cavity face hands on to the tetrahedron that is built on it.
+struct CavityFaceConstraints3d
+{
+    /// Bit k: the edge opposite vertex[k] is constrained.
+    std::uint8_t edges = 0;
+    RegionId region;
+};
+
+enum class CavityStatus : std::uint8_t
+{
+    Ready,
+    /// The point does not see a face of every tetrahedron that has it: constraints or inverted neighbours are in the way.
+    NotStarShaped,
+    /// A constrained face or edge has the point or would be deleted, and no smaller cavity saves it.
+    BlockedByConstraint
+};
+
+/// A region of tetrahedra that an insertion would replace by the star of the new point.
+struct Cavity3d
+{
+    CavityStatus status = CavityStatus::Ready;
+    Vec3 point;
+    std::vector<TetId> tets;
+    std::vector<CavityFace3d> faces;
+    /// Beside `faces`, entry by entry.
+    std::vector<CavityFaceConstraints3d> constraints;
+    /// The constrained faces on its surface, seen from outside: the candidates for encroachment.
+    std::vector<TetFace> constrainedFaces;
+    /// The constraint in the way of a blocked cavity: its two or three vertices, the third invalid for an edge.
+    std::array<VertexId, 3> blocker;
+    /// Tetrahedra that were taken out again to make it star-shaped (thesis §4.7.2).
+    std::uint32_t repairs = 0;
+};
+
+/// The constraint that an insertion is allowed to cut, because the point lies on it.
+struct CavitySplit3d
+{
+    enum class Kind : std::uint8_t { None, Face, Edge };
+
+    Kind kind = Kind::None;
+    /// The ends of the edge, or the corners of the face.
+    std::array<VertexId, 3> vertex;
+};
+
+/// Bowyer–Watson insertion in two phases: `find` evaluates and changes nothing, `commit` cannot fail.
+///
+/// Guarantees   a committed cavity was star-shaped around its point, and every constrained face and edge that the split
+///              did not name is still there; the tetrahedra around stay linked (checkTopology)
+/// Requires     `seeds` have the point in their closure (a ghost one: the point lies outside of its hull facet);
+///              the triangulation is (constrained) Delaunay, else the result is only star-shaped
+/// Cost         proportional to the cavity; no allocation once the scratch arrays have grown
+/// Reference    [bowyer1981] [watson1981] [gosselin] §1.2.2, §4.7.2
+class CavityOperator3d
+{
+public:
+    explicit CavityOperator3d(Triangulation3d& triangulation) : mesh_(triangulation) {}
+
+    /// The tetrahedra in conflict with the point that can be reached from the seeds without crossing a constrained
+    /// face, made star-shaped. The returned cavity is valid until the next call.
+    const Cavity3d& find(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split,
+                         const StaticFilter3d& filter);
+
+    /// Replaces the cavity found last, whose status must be Ready, by the star of `vertex`, whose position is the
+    /// cavity's point. Returns a tetrahedron of the star.
+    TetId commit(VertexId vertex);
+
+    /// find and commit in one for a Delaunay triangulation without any constraint, as fast as can be: incidentTet of the
+    /// vertices and `cavity()` are not kept up.
+    TetId insertUnconstrained(VertexId vertex, TetId seed, const StaticFilter3d& filter);
+
+    [[nodiscard]] const Cavity3d& cavity() const { return cavity_; }
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    struct LocalFace
+    {
+        std::array<std::uint32_t, 3> vertex;
+        TetId tet;
+    };
+
+    template <bool kConstrained>
+    void collectConflicts(const Vec3& point, const StaticFilter3d& filter);
+    bool isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const;
+    bool isCrossingForbidden(TetFace face) const;
+    bool isSplitFace(const std::array<VertexId, 3>& face) const;
+    void addFace(TetId inner, int face, TetFace outer);
+
+    void refloodFromSeeds(std::span<const TetId> seeds);
+    bool repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter);
+    bool takeOut(TetId tet, std::span<const TetId> seeds, CavityStatus reason);
+    bool repairVisibility(std::span<const TetId> seeds, const StaticFilter3d& filter);
+    bool repairEnclosedFaces(std::span<const TetId> seeds, const StaticFilter3d& filter);
+    bool repairEnclosedEdges(std::span<const TetId> seeds, const StaticFilter3d& filter);
+    TetId tetBehindEdge(TetId tet, int edge, const StaticFilter3d& filter) const;
+    bool isEdgeEnclosed(TetId tet, int edge) const;
+    void finish();
+
+    template <bool kConstrained>
+    TetId retriangulate(VertexId vertex);
+    void carryConstraints(VertexId vertex);
+    void constrainSplitParts();
+
+    [[nodiscard]] bool isMarked(TetId tet) const { return (mesh_.flags(tet) & tet_flag::kInCavity) != 0; }
+    void mark(TetId tet) { mesh_.state(tet).flags |= tet_flag::kInCavity; }
+    void unmark(TetId tet)
+    {
+        mesh_.state(tet).flags = static_cast<std::uint16_t>(mesh_.state(tet).flags & ~tet_flag::kInCavity);
+    }
+
+    Triangulation3d& mesh_;
+    Cavity3d cavity_;
+    CavitySplit3d split_;
+    std::vector<TetId> marked_;
+    std::vector<TetId> previous_;
+    std::vector<LocalFace> localFaces_;
+    EdgeLinker<TetFace> linker_;
+    /// Perimeter edges of the split facets: with the new point they make the constrained faces that replace them.
+    std::vector<std::array<VertexId, 2>> splitPerimeter_;
+    bool splitsConstrainedEdge_ = false;
+};
+
+}  // namespace mesher

@@ -1,0 +1,75 @@
+#include "predicates/incircle.h"
+
+#include "base/assert.h"
+#include "predicates/coordinate_range.h"
+#include "predicates/exact_tiers.h"
+#include "predicates/expansion_determinants.h"
+#include "predicates/integer_determinants.h"
+#include "predicates/orient2d.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace mesher::detail {
+
+std::optional<Sign> incircleInteger64(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    const auto grid = toGrid64(std::array<double, 8>{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
+    if (!grid) return std::nullopt;
+    return gridIncircle(*grid);
+}
+
+std::optional<Sign> incircleInteger128(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    const auto grid = toGrid128(std::array<double, 8>{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
+    if (!grid) return std::nullopt;
+    return gridIncircle(*grid);
+}
+
+Sign incircleExpansion(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    return expansionIncircle(a, b, c, d).sign();
+}
+
+Sign incircleExact(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    MESHER_PRECONDITION(isInExactRange(a) && isInExactRange(b) && isInExactRange(c) && isInExactRange(d));
+    if (const auto sign = incircleInteger64(a, b, c, d)) return *sign;
+    if (const auto sign = incircleInteger128(a, b, c, d)) return *sign;
+    return incircleExpansion(a, b, c, d);
+}
+
+namespace {
+
+/// The coefficient of the infinitesimal by which the lift of the point number `index` is raised.
+Sign liftCoefficient(std::array<const Vec2*, 4> points, std::size_t index)
+{
+    constexpr std::size_t kLast = 3;
+    const bool isLast = index == kLast;
+    points[index] = points[kLast];
+    const Sign orientation = orient2d(*points[0], *points[1], *points[2]);
+    return isLast ? -orientation : orientation;
+}
+
+}  // namespace
+
+Sign incirclePerturbation(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    const std::array<const Vec2*, 4> points{&a, &b, &c, &d};
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
+        return isLexicographicallyLess(*points[j], *points[i]);
+    });
+    // Coinciding points have the same lift, which makes two rows of the determinant equal.
+    for (std::size_t i = 0; i + 1 < 4; ++i) {
+        if (*points[order[i]] == *points[order[i + 1]]) return Sign::Zero;
+    }
+    for (const std::size_t index : order) {
+        const Sign sign = liftCoefficient(points, index);
+        if (sign != Sign::Zero) return sign;
+    }
+    return Sign::Zero;
+}
+
+}  // namespace mesher::detail

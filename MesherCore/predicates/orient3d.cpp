@@ -1,0 +1,40 @@
+#include "predicates/orient3d.h"
+
+#include "base/assert.h"
+#include "predicates/coordinate_range.h"
+#include "predicates/exact_tiers.h"
+#include "predicates/expansion_determinants.h"
+#include "predicates/integer_determinants.h"
+
+#include <array>
+
+namespace mesher::detail {
+
+std::optional<Sign> orient3dInteger64(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    const auto grid = toGrid64(std::array<double, 12>{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
+    if (!grid) return std::nullopt;
+    return gridOrient3d(*grid);
+}
+
+std::optional<Sign> orient3dInteger128(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    const auto grid = toGrid128(std::array<double, 12>{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
+    if (!grid) return std::nullopt;
+    return gridOrient3d(*grid);
+}
+
+Sign orient3dExpansion(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    return expansionOrient3d(a, b, c, d).sign();
+}
+
+Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    MESHER_PRECONDITION(isInExactRange(a) && isInExactRange(b) && isInExactRange(c) && isInExactRange(d));
+    if (const auto sign = orient3dInteger64(a, b, c, d)) return *sign;
+    if (const auto sign = orient3dInteger128(a, b, c, d)) return *sign;
+    return orient3dExpansion(a, b, c, d);
+}
+
+}  // namespace mesher::detail
