@@ -5,8 +5,6 @@
 #include "predicates/coordinate_range.h"
 #include "predicates/orient2d.h"
 
-#include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,11 +17,10 @@ Vec2 withoutNegativeZeros(Vec2 p)
     return {p.x + 0.0, p.y + 0.0};
 }
 
-std::optional<Error> findFault(Vec2 point, const std::string& name)
+Error faultOf(Vec2 point, std::string name)
 {
-    if (isInExactRange(point)) return std::nullopt;
     Error error;
-    error.entity = name;
+    error.entity = std::move(name);
     if (isFinite(point)) {
         error.code = ErrorCode::OutOfRange;
         error.message = "a coordinate is outside of the range in which predicates are exact";
@@ -59,7 +56,7 @@ Result<BulkInsertion2d> Delaunay2d::insertPoints(std::span<const Vec2> points, R
 {
     if (points.size() > Triangulation2d::kMaxVertices - mesh_.vertexSlots()) return tooManyVertices();
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (auto fault = findFault(points[i], "point " + std::to_string(i))) return std::move(*fault);
+        if (!isInExactRange(points[i])) return faultOf(points[i], "point " + std::to_string(i));
     }
     for (const Vec2& p : points) box_.include(p);
     filter_ = StaticFilter2d::forBox(box_);
@@ -84,7 +81,7 @@ Result<BulkInsertion2d> Delaunay2d::insertPoints(std::span<const Vec2> points, R
 
 Result<Insertion2d> Delaunay2d::insert(Vec2 point, TriangleId hint)
 {
-    if (auto fault = findFault(point, "point")) return std::move(*fault);
+    if (!isInExactRange(point)) return faultOf(point, "point");
     if (mesh_.vertexCount() >= Triangulation2d::kMaxVertices) return tooManyVertices();
     includeInBox(point);
     return insertChecked(withoutNegativeZeros(point), startFor(hint), StarCheck::Repair);

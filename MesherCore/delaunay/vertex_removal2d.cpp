@@ -120,11 +120,11 @@ private:
     {
         MESHER_INVARIANT(remaining_ == 2);
         const Corner& a = firstLeft();
-        mesh_.link(a.outer, ring_[a.next].outer);
+        const Corner& b = ring_[a.next];
+        mesh_.link(a.outer, b.outer);
         mesh_.setConstrained(a.outer, true);
-        for (const Corner* corner : {&a, &ring_[a.next]}) {
-            mesh_.setTriangleAt(corner->vertex, corner->outer.triangle());
-        }
+        mesh_.setTriangleAt(a.vertex, a.outer.triangle());
+        mesh_.setTriangleAt(b.vertex, b.outer.triangle());
     }
 
     /// A ghost for each edge of the chain that is left between the former neighbours on the hull.
