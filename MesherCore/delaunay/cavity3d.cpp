@@ -35,7 +35,7 @@ bool isSameEdge(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
 
 // --- conflict search
 
-bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const
+inline bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const
 {
     const VertexRecord* vertices = mesh_.vertexData();
     const TetRecord* record = mesh_.tetData() + tet.value;
@@ -64,7 +64,7 @@ bool CavityOperator3d::isCrossingForbidden(TetFace face) const
     return mesh_.isFaceConstrained(face) && !isSplitFace(mesh_.faceVertices(face));
 }
 
-void CavityOperator3d::addFace(TetId inner, int face, TetFace outer)
+inline void CavityOperator3d::addFace(TetId inner, int face, TetFace outer)
 {
     const auto [f0, f1, f2] = mesh_.faceVertices({inner, face});
     cavity_.faces.push_back({outer, facingPoint(f0, f1, f2)});
