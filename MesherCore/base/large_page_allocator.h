@@ -13,7 +13,7 @@ namespace detail {
 void freeLargePages(void* memory) noexcept;
 
 /// From here on an array is large; below, the ordinary allocator wastes less.
-inline constexpr std::size_t kLargeArrayBytes = std::size_t{4} << 20;
+inline constexpr std::size_t kLargeArrayBytes = std::size_t{8} << 20;
 
 }  // namespace detail
 

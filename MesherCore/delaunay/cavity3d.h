@@ -107,7 +107,7 @@ private:
     void prefetchAround(TetId tet) const;
     bool isCrossingForbidden(TetFace face) const;
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
-    void addFace(TetId inner, int face, TetFace outer);
+    void addFace(const TetRecord& inner, unsigned face, TetFace outer);
 
     void refloodFromSeeds(std::span<const TetId> seeds);
     bool repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter);
