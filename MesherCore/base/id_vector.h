@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/assert.h"
+#include "base/large_page_allocator.h"
 
 #include <cstdint>
 #include <utility>
@@ -55,7 +56,7 @@ public:
 private:
     [[nodiscard]] IdType lastId() const { return IdType(static_cast<std::uint32_t>(items_.size() - 1)); }
 
-    std::vector<T> items_;
+    std::vector<T, LargePageAllocator<T>> items_;
 };
 
 }  // namespace mesher
