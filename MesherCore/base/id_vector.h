@@ -28,10 +28,15 @@ public:
         return items_[id.value];
     }
 
-    IdType push_back(T item)
+    IdType push_back(const T& item)
+    {
+        items_.push_back(item);
+        return lastId();
+    }
+    IdType push_back(T&& item)
     {
         items_.push_back(std::move(item));
-        return IdType(static_cast<std::uint32_t>(items_.size() - 1));
+        return lastId();
     }
 
     [[nodiscard]] std::size_t size() const { return items_.size(); }
@@ -49,6 +54,8 @@ public:
     auto end() const { return items_.end(); }
 
 private:
+    [[nodiscard]] IdType lastId() const { return IdType(static_cast<std::uint32_t>(items_.size() - 1)); }
+
     std::vector<T, LargePageAllocator<T>> items_;
 };
 

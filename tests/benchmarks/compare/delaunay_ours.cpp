@@ -2,6 +2,7 @@
 // --plain inserts no scaffold points into samples of surfaces.
 
 #include "base/run_context.h"
+#include "delaunay/delaunay2d.h"
 #include "delaunay/delaunay3d.h"
 #include "measurement.h"
 
@@ -9,6 +10,42 @@
 #include <vector>
 
 namespace {
+
+void printRefusal(const mesher::Error& error)
+{
+    std::fprintf(stderr, "%s\n", mesher::describe(error).c_str());
+}
+
+std::size_t finiteTriangleCount(const mesher::Triangulation2d& mesh)
+{
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < mesh.triangleSlots(); ++i) {
+        const mesher::TriangleId triangle(i);
+        if (mesh.isAlive(triangle) && !mesh.triangle(triangle).isGhost()) ++count;
+    }
+    return count;
+}
+
+/// False if the kernel refuses the points.
+bool triangulate2d(const compare::PointFile& input)
+{
+    std::vector<mesher::Vec2> points;
+    points.reserve(input.count());
+    for (std::size_t i = 0; i < input.count(); ++i) points.push_back({input.point(i)[0], input.point(i)[1]});
+
+    compare::Measurement measurement;
+    mesher::Delaunay2d delaunay;
+    {
+        const mesher::Result<mesher::BulkInsertion2d> inserted = delaunay.insertPoints(points);
+        if (!inserted) {
+            printRefusal(inserted.error());
+            return false;
+        }
+    }
+    measurement.stop();
+    measurement.print(delaunay.mesh().vertexCount(), finiteTriangleCount(delaunay.mesh()), 0);
+    return true;
+}
 
 /// False if the kernel refuses the points.
 bool triangulate3d(const compare::PointFile& input, mesher::ScaffoldPolicy scaffold)
@@ -30,7 +67,7 @@ bool triangulate3d(const compare::PointFile& input, mesher::ScaffoldPolicy scaff
         const mesher::Result<mesher::BulkInsertion3d> inserted =
             delaunay.insertPoints(points, options, context);
         if (!inserted) {
-            std::fprintf(stderr, "%s\n", mesher::describe(inserted.error()).c_str());
+            printRefusal(inserted.error());
             return false;
         }
         scaffoldPoints = inserted->scaffoldPoints;
@@ -54,9 +91,6 @@ int main(int argumentCount, char** arguments)
     }
     compare::PointFile input;
     if (!compare::readArgument(argumentCount, arguments, input)) return 2;
-    if (input.dimension != 3) {
-        std::fprintf(stderr, "%s: three-dimensional points only\n", arguments[0]);
-        return 2;
-    }
-    return triangulate3d(input, scaffold) ? 0 : 1;
+    const bool isDone = input.dimension == 2 ? triangulate2d(input) : triangulate3d(input, scaffold);
+    return isDone ? 0 : 1;
 }

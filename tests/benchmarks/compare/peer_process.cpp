@@ -22,7 +22,7 @@ struct Program
 };
 
 constexpr std::array kPrograms = {
-    Program{"mesher", "delaunay_ours", nullptr, false},
+    Program{"mesher", "delaunay_ours", nullptr, true},
     Program{"mesher_plain", "delaunay_ours", "--plain", false},
     Program{"cgal", "delaunay_peer_cgal", nullptr, true},
     Program{"tetgen", "delaunay_peer_tetgen", nullptr, false},
