@@ -34,7 +34,7 @@ VertexHole3d VertexRemoval3d::find(VertexId vertex)
         const bool hasOthers = std::any_of(holeFaces_.begin(), holeFaces_.end(), [&](const HoleFace& face) {
             return !isGhost(face.corner[2]) && !mesh_.isGhostTet(face.outer.tet());
         });
-        if (!hasOthers) return VertexHole3d::WholeSpace;
+        if (!hasOthers) return hasConstraint() ? VertexHole3d::Untriangulable : VertexHole3d::WholeSpace;
         fillFlatHole();
         return VertexHole3d::Ready;
     }
@@ -54,6 +54,12 @@ bool VertexRemoval3d::isOnConstraint() const
         }
     }
     return false;
+}
+
+bool VertexRemoval3d::hasConstraint() const
+{
+    return std::any_of(star_.begin(), star_.end(),
+                       [&](TetId tet) { return (mesh_.flags(tet) & tet_flag::kConstraints) != 0; });
 }
 
 void VertexRemoval3d::collectHole()
