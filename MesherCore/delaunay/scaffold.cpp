@@ -1,6 +1,7 @@
 #include "delaunay/scaffold.h"
 
 #include "base/box.h"
+#include "predicates/coordinate_range.h"
 
 #include <algorithm>
 #include <array>
@@ -168,7 +169,9 @@ std::vector<Vec3> scaffoldPoints(std::span<const Vec3> points, const ScaffoldOpt
     const std::vector<std::uint64_t> codes = sortedCodes(points, grid);
     const GradedOctree octree(codes, options);
     for (const GradedOctree::Cell& cell : octree.cells()) {
-        if (cell.firstChild == 0 && cell.begin == cell.end) scaffold.push_back(grid.centre(cell.corner, cell.level));
+        if (cell.firstChild != 0 || cell.begin != cell.end) continue;
+        const Vec3 centre = grid.centre(cell.corner, cell.level);
+        if (isInExactRange(centre)) scaffold.push_back(centre);
     }
     return scaffold;
 }
