@@ -235,7 +235,9 @@ void CavityOperator3d::refloodFromSeeds(std::span<const TetId> seeds)
 
 bool CavityOperator3d::repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter)
 {
-    return repairEnclosedFaces(seeds, filter) || repairEnclosedEdges(seeds, filter) || repairVisibility(seeds, filter);
+    if (repairEnclosedFaces(seeds, filter)) return true;
+    if (cavity_.status == CavityStatus::Ready && repairEnclosedEdges(seeds, filter)) return true;
+    return cavity_.status == CavityStatus::Ready && repairVisibility(seeds, filter);
 }
 
 bool CavityOperator3d::takeOut(TetId tet, std::span<const TetId> seeds, CavityStatus reason)
