@@ -49,8 +49,8 @@ enum class RemovalPolicy
 enum class RemovalOutcome
 {
     Removed,
-    KeptConstrained,     ///< constrained edges meet in the vertex: nothing was changed
-    KeptLastTriangles    ///< without the vertex all triangles and with them constrained edges would go: not changed
+    KeptConstrained,  ///< constrained edges meet in the vertex: nothing was changed
+    KeptLastTriangles  ///< without the vertex all triangles and with them constrained edges would go: not changed
 };
 
 /// What has been done so far; for reports and for ceilings in tests.
@@ -89,7 +89,8 @@ public:
 
     /// Inserts many points at once, in an order of its own; vertices are numbered in that order, which keeps what is
     /// near in the plane near in memory. A bad point is an Error, and then none is inserted.
-    [[nodiscard]] Result<BulkInsertion2d> insertPoints(std::span<const Vec2> points, RunContext* context = nullptr);
+    [[nodiscard]] Result<BulkInsertion2d> insertPoints(std::span<const Vec2> points,
+                                                       RunContext* context = nullptr);
     /// Inserts one point; `hint` is a triangle that may be near it, a dead or invalid one is ignored.
     [[nodiscard]] Result<Insertion2d> insert(Vec2 point, TriangleId hint = {});
 
@@ -137,7 +138,10 @@ private:
     void connect(VertexId vertex, TriangleId hint);
     void includeInBox(Vec2 point);
     [[nodiscard]] StaticFilter2d filterFor(Vec2 point) const;
-    [[nodiscard]] TriangleId startFor(TriangleId hint) const { return mesh_.isAlive(hint) ? hint : lastTriangle_; }
+    [[nodiscard]] TriangleId startFor(TriangleId hint) const
+    {
+        return mesh_.isAlive(hint) ? hint : lastTriangle_;
+    }
     /// The ends of a straight constrained chain through the vertex; invalid ids if there is none.
     [[nodiscard]] ChainEnds straightChainThrough(VertexId vertex) const;
     [[nodiscard]] bool hasConstrainedEdge(VertexId vertex) const;
