@@ -106,12 +106,16 @@ VertexId Delaunay2d::commit(const Cavity2d& cavity)
     ++counters_.insertions;
     const VertexId vertex = mesh_.addVertex(cavity.point);
     lastTriangle_ = commitCavity(mesh_, cavity, vertex);
+    record(ReplayOperation::insert(vertex.value, cavity.point));
     return vertex;
 }
 
 RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
 {
     MESHER_PRECONDITION(mesh_.isAlive(vertex));
+    const bool joinsChains = policy == RemovalPolicy::StraightChainsToo;
+    record(
+        ReplayOperation::on(joinsChains ? ReplayKind::RemoveFromChain : ReplayKind::Remove, {vertex.value}));
     if (mesh_.triangleCount() == 0) {
         lineVertices_.erase(mesh_.position(vertex));
         mesh_.removeVertex(vertex);
@@ -120,7 +124,7 @@ RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
     }
     ChainEnds chain;
     if (hasConstrainedEdge(vertex)) {
-        if (policy == RemovalPolicy::StraightChainsToo) chain = straightChainThrough(vertex);
+        if (joinsChains) chain = straightChainThrough(vertex);
         if (!chain.from.isValid()) return RemovalOutcome::KeptConstrained;
     }
     if (isLastOffLine(mesh_, filter_, vertex, removalWorkspace_)) {
@@ -151,6 +155,7 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
         error.remedy = "insert a point off the line first";
     } else {
         ++revision_;
+        record(ReplayOperation::on(ReplayKind::Constrain, {a.value, b.value}));
         auto result = mesher::recoverSegment(mesh_, filter_, a, b, segmentWorkspace_);
         if (!result) return result;
         ++counters_.segments;
@@ -164,12 +169,16 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
 void Delaunay2d::constrainEdge(EdgeLink edge)
 {
     MESHER_PRECONDITION(mesh_.edgeFrom(edge) != kGhostVertex && mesh_.edgeTo(edge) != kGhostVertex);
+    record(
+        ReplayOperation::on(ReplayKind::Constrain, {mesh_.edgeFrom(edge).value, mesh_.edgeTo(edge).value}));
     mesh_.setConstrained(edge, true);
     ++revision_;
 }
 
 void Delaunay2d::unconstrainEdge(EdgeLink edge)
 {
+    record(
+        ReplayOperation::on(ReplayKind::Unconstrain, {mesh_.edgeFrom(edge).value, mesh_.edgeTo(edge).value}));
     mesh_.setConstrained(edge, false);
     suspects_.assign(1, edge);
     counters_.flips += restoreDelaunay(mesh_, filter_, suspects_);
@@ -200,6 +209,7 @@ Insertion2d Delaunay2d::insertChecked(Vec2 point, TriangleId hint, StarCheck che
     counters_.starRepairs += cavity_.repairs;
     ++counters_.insertions;
     ++revision_;
+    record(ReplayOperation::insert(vertex.value, point));
     return {vertex, splits ? InsertOutcome::SplitConstraint : InsertOutcome::Inserted};
 }
 
@@ -213,6 +223,7 @@ Insertion2d Delaunay2d::insertOnLine(Vec2 point)
     const VertexId vertex = mesh_.addVertex(point);
     ++counters_.insertions;
     ++revision_;
+    record(ReplayOperation::insert(vertex.value, point));
     const bool isOnLine =
         lineVertices_.size() < 2 ||
         orient2d(lineVertices_.begin()->first, lineVertices_.rbegin()->first, point) == Sign::Zero;

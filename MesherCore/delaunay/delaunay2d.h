@@ -6,6 +6,7 @@
 #include "base/stop_reason.h"
 #include "delaunay/cavity2d.h"
 #include "delaunay/locate2d.h"
+#include "delaunay/replay_log.h"
 #include "delaunay/segment_recovery2d.h"
 #include "delaunay/triangulation2d.h"
 #include "delaunay/vertex_removal2d.h"
@@ -121,6 +122,10 @@ public:
         mesh_.setOrigin(vertex, origin, entity);
     }
 
+    /// Writes down every change from now on, vertices labelled by their ids; null to stop. The log must outlive this
+    /// object or the next call.
+    void recordTo(ReplayLog* log) { log_ = log; }
+
     void reserve(std::size_t vertexCount) { mesh_.reserve(vertexCount); }
     Triangulation2d::Renumbering compact();
 
@@ -130,6 +135,10 @@ private:
         bool operator()(Vec2 a, Vec2 b) const { return isLexicographicallyLess(a, b); }
     };
 
+    void record(const ReplayOperation& operation)
+    {
+        if (log_ != nullptr) log_->add(operation);
+    }
     Insertion2d insertChecked(Vec2 point, TriangleId hint, StarCheck check);
     Insertion2d insertOnLine(Vec2 point);
     void raiseDimension(VertexId apex);
@@ -156,6 +165,7 @@ private:
     Delaunay2dCounters counters_;
     /// Counts changes, so that a stale cavity is told.
     std::uint64_t revision_ = 0;
+    ReplayLog* log_ = nullptr;
 
     Cavity2d cavity_;
     SegmentWorkspace2d segmentWorkspace_;
