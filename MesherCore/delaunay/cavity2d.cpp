@@ -35,7 +35,37 @@ void enter(const Triangulation2d& mesh, Cavity2d& cavity, TriangleId t, unsigned
     cavity.pending.emplace_back(record.n[nextCorner(throughEdge)], record.region);
 }
 
-/// Depth first and counter-clockwise, so that the boundary comes out in order.
+/// The search proper, depth first and counter-clockwise, so that the boundary comes out in order.
+template <bool hasExclusions>
+void search(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d& cavity)
+{
+    const auto isExcluded = [&](TriangleId t) {
+        return std::find(cavity.excluded.begin(), cavity.excluded.end(), t) != cavity.excluded.end();
+    };
+    const Vec2 point = cavity.point;
+    while (!cavity.pending.empty()) {
+        auto [side, region] = cavity.pending.back();
+        cavity.pending.pop_back();
+        for (;;) {
+            const Triangle2d& next = mesh.triangle(side.triangle());
+            const bool isConstrained = next.isConstrained(side.edge());
+            bool isOuter = isConstrained || !isInConflict(mesh, filter, next, point);
+            if constexpr (hasExclusions) isOuter = isOuter || isExcluded(side.triangle());
+            if (isOuter) {
+                cavity.boundary.push_back({side, region});
+                if (isConstrained) cavity.constrained.push_back(side);
+                break;
+            }
+            // On to the next edge; the one after it waits.
+            cavity.triangles.push_back(side.triangle());
+            MESHER_INVARIANT(cavity.triangles.size() <= mesh.triangleCount());
+            region = next.region;
+            cavity.pending.emplace_back(next.n[previousCorner(side.edge())], region);
+            side = next.n[nextCorner(side.edge())];
+        }
+    }
+}
+
 void collect(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d& cavity)
 {
     cavity.triangles.clear();
@@ -53,21 +83,10 @@ void collect(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d
         cavity.pending.emplace_back(record.n[firstEdge], record.region);
     }
     enter(mesh, cavity, start, firstEdge);
-    while (!cavity.pending.empty()) {
-        const auto [side, region] = cavity.pending.back();
-        cavity.pending.pop_back();
-        const Triangle2d& next = mesh.triangle(side.triangle());
-        const bool isConstrained = next.isConstrained(side.edge());
-        const bool isExcluded = !cavity.excluded.empty() &&
-                                std::find(cavity.excluded.begin(), cavity.excluded.end(), side.triangle()) !=
-                                    cavity.excluded.end();
-        if (!isConstrained && !isExcluded && isInConflict(mesh, filter, next, cavity.point)) {
-            enter(mesh, cavity, side.triangle(), side.edge());
-            MESHER_INVARIANT(cavity.triangles.size() <= mesh.triangleCount());
-            continue;
-        }
-        cavity.boundary.push_back({side, region});
-        if (isConstrained) cavity.constrained.push_back(side);
+    if (cavity.excluded.empty()) {
+        search<false>(mesh, filter, cavity);
+    } else {
+        search<true>(mesh, filter, cavity);
     }
 }
 
