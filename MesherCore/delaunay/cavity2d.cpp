@@ -44,7 +44,8 @@ void search(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d&
     };
     const Vec2 point = cavity.point;
     while (!cavity.pending.empty()) {
-        auto [side, region] = cavity.pending.back();
+        EdgeLink side = cavity.pending.back().side();
+        RegionId region = cavity.pending.back().region();
         cavity.pending.pop_back();
         for (;;) {
             const Triangle2d& next = mesh.triangle(side.triangle());
@@ -72,12 +73,12 @@ void collect(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d
     cavity.boundary.clear();
     cavity.constrained.clear();
     cavity.pending.clear();
-    const TriangleId start = cavity.location.triangle;
+    const TriangleId start = cavity.location.triangle();
     const Triangle2d& record = mesh.triangle(start);
     unsigned firstEdge = 0;
     if (cavity.location.kind == Location2d::Kind::OnEdge) {
         // The edge the point lies on goes, be it constrained or not: both its sides are entered.
-        firstEdge = cavity.location.index;
+        firstEdge = cavity.location.index();
         enter(mesh, cavity, record.n[firstEdge].triangle(), record.n[firstEdge].edge());
     } else {
         cavity.pending.emplace_back(record.n[firstEdge], record.region);
@@ -145,9 +146,9 @@ TriangleId commitCavity(Triangulation2d& mesh, const Cavity2d& cavity, VertexId 
 {
     MESHER_PRECONDITION(mesh.position(vertex) == cavity.point);
     const bool splitsConstraint =
-        cavity.location.kind == Location2d::Kind::OnEdge && mesh.isConstrained(cavity.location.edge());
-    const VertexId splitFrom = splitsConstraint ? mesh.edgeFrom(cavity.location.edge()) : VertexId();
-    const VertexId splitTo = splitsConstraint ? mesh.edgeTo(cavity.location.edge()) : VertexId();
+        cavity.location.kind == Location2d::Kind::OnEdge && mesh.isConstrained(cavity.location.edge);
+    const VertexId splitFrom = splitsConstraint ? mesh.edgeFrom(cavity.location.edge) : VertexId();
+    const VertexId splitTo = splitsConstraint ? mesh.edgeTo(cavity.location.edge) : VertexId();
 
     const std::size_t count = cavity.boundary.size();
     const std::size_t reused = cavity.triangles.size();

@@ -211,9 +211,9 @@ Insertion2d Delaunay2d::insertChecked(Vec2 point, TriangleId hint, StarCheck che
     const Location2d location = mesher::locate(mesh_, filter_, point, hint);
     if (location.kind == Location2d::Kind::OnVertex) {
         ++counters_.duplicates;
-        return {mesh_.triangle(location.triangle).v[location.index], InsertOutcome::Duplicate};
+        return {mesh_.triangle(location.triangle()).v[location.index()], InsertOutcome::Duplicate};
     }
-    const bool splits = location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(location.edge());
+    const bool splits = location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(location.edge);
     mesher::findCavity(mesh_, filter_, point, location, check, cavity_);
     const VertexId vertex = mesh_.addVertex(point);
     lastTriangle_ = commitCavity(mesh_, cavity_, vertex);
