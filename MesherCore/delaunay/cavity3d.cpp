@@ -96,35 +96,40 @@ bool CavityOperator3d::isCrossingForbidden(TetFace face) const
     return mesh_.isFaceConstrained(face) && !isSplitFace(mesh_.faceVertices(face));
 }
 
-inline void CavityOperator3d::addFace(TetId inner, int face, TetFace outer)
+inline void CavityOperator3d::addFace(const TetRecord& inner, unsigned face, TetFace outer)
 {
-    const auto [f0, f1, f2] = mesh_.faceVertices({inner, face});
-    cavity_.faces.push_back({outer, facingPoint(f0, f1, f2)});
+    const int* slots = kFaceSlots[face];
+    cavity_.faces.push_back({outer, facingPoint(inner.vertex[static_cast<unsigned>(slots[0])],
+                                                inner.vertex[static_cast<unsigned>(slots[1])],
+                                                inner.vertex[static_cast<unsigned>(slots[2])])});
 }
 
 template <bool kConstrained>
 void CavityOperator3d::collectConflicts(const VertexRecord& point, const StaticFilter3d& filter)
 {
+    const TetRecord* const records = mesh_.tetData();
+    TetState* const states = mesh_.stateData();
     std::vector<TetId>& tets = cavity_.tets;
     for (std::size_t next = 0; next < tets.size(); ++next) {
         const TetId inner = tets[next];
-        for (int face = 0; face < 4; ++face) {
-            const TetFace outer = mesh_.tetData()[inner.value].neighbour[static_cast<unsigned>(face)];
+        const TetRecord record = records[inner.value];
+        for (unsigned face = 0; face < 4; ++face) {
+            const TetFace outer = record.neighbour[face];
             const TetId other = outer.tet();
             if constexpr (kConstrained) {
-                if (isCrossingForbidden({inner, face})) {
-                    addFace(inner, face, outer);
+                if (isCrossingForbidden({inner, static_cast<int>(face)})) {
+                    addFace(record, face, outer);
                     continue;
                 }
             }
-            TetState& state = mesh_.stateData()[other.value];
+            TetState& state = states[other.value];
             if ((state.flags & tet_flag::kInCavity) != 0) continue;
             if (isInConflict(other, point, filter)) {
                 state.flags |= tet_flag::kInCavity;
                 tets.push_back(other);
                 prefetchAround(other);
             } else {
-                addFace(inner, face, outer);
+                addFace(record, face, outer);
             }
         }
     }
@@ -223,7 +228,7 @@ void CavityOperator3d::refloodFromSeeds(std::span<const TetId> seeds)
                 mark(outer.tet());
                 cavity_.tets.push_back(outer.tet());
             } else {
-                addFace(inner, face, outer);
+                addFace(mesh_.tet(inner), static_cast<unsigned>(face), outer);
             }
         }
     }

@@ -109,7 +109,7 @@ private:
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
     bool isSplitPerimeter(VertexId a, VertexId b) const;
     void collectSplitPerimeter(std::span<const TetId> seeds);
-    void addFace(TetId inner, int face, TetFace outer);
+    void addFace(const TetRecord& inner, unsigned face, TetFace outer);
 
     void refloodFromSeeds(std::span<const TetId> seeds);
     bool repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter);

@@ -1,6 +1,7 @@
 #include "delaunay/scaffold.h"
 
 #include "base/box.h"
+#include "base/random.h"
 #include "predicates/coordinate_range.h"
 
 #include <algorithm>
@@ -44,16 +45,24 @@ public:
         const Vec3 unit = (kCells / edge_) * (p - low_);
         return spreadBits(clamped(unit.x)) << 2 | spreadBits(clamped(unit.y)) << 1 | spreadBits(clamped(unit.z));
     }
-    /// Centre of a cell with the given corner, in cells of its level.
-    [[nodiscard]] Vec3 centre(const std::array<std::uint32_t, 3>& cell, std::uint32_t level) const
+    /// About the centre of a cell with the given corner, in cells of its level. Exact centres would be cospherical by
+    /// the dozen, and every one of them a case for exact arithmetic.
+    [[nodiscard]] Vec3 nearCentre(const std::array<std::uint32_t, 3>& cell, std::uint32_t level) const
     {
         const double size = edge_ / static_cast<double>(1u << level);
-        return low_ + size * Vec3{cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5};
+        Random random((std::uint64_t{cell[0]} << 42 | std::uint64_t{cell[1]} << 21 | cell[2]) ^
+                      std::uint64_t{level} << 59);
+        const auto offset = [&] { return random.between(0.5 - kJitter, 0.5 + kJitter); };
+        const double x = cell[0] + offset();
+        const double y = cell[1] + offset();
+        const double z = cell[2] + offset();
+        return low_ + size * Vec3{x, y, z};
     }
 
 private:
     static constexpr double kCells = 1u << kLevels;
     static constexpr double kSmallestEdge = 1e-300;
+    static constexpr double kJitter = 0.1;  ///< of the cell's edge
 
     static std::uint64_t clamped(double x)
     {
@@ -170,8 +179,8 @@ std::vector<Vec3> scaffoldPoints(std::span<const Vec3> points, const ScaffoldOpt
     const GradedOctree octree(codes, options);
     for (const GradedOctree::Cell& cell : octree.cells()) {
         if (cell.firstChild != 0 || cell.begin != cell.end) continue;
-        const Vec3 centre = grid.centre(cell.corner, cell.level);
-        if (isInExactRange(centre)) scaffold.push_back(centre);
+        const Vec3 place = grid.nearCentre(cell.corner, cell.level);
+        if (isInExactRange(place)) scaffold.push_back(place);
     }
     return scaffold;
 }

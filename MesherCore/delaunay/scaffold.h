@@ -20,9 +20,9 @@ struct ScaffoldOptions
 
 /// Points to insert together with a sample of surfaces, so that its Delaunay tetrahedralization has few tetrahedra:
 /// without them the vertices of a surface see far across the empty space on both sides, and cavities are large.
-/// The points are the centres of the empty cells of a graded octree around the sample.
+/// The points lie near the centres of the empty cells of a graded octree around the sample.
 ///
-/// Guarantees   none nearer to the sample than half its cell; cells next to the sample are those that hold at most
+/// Guarantees   none nearer to the sample than 0.4 of its cell's edge; cells next to the sample are those that hold at most
 ///              pointsPerCell points of it; neighbouring cells differ by a factor of two at most; all in the exact range;
 ///              deterministic
 /// Requires     finite points

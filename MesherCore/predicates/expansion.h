@@ -12,7 +12,7 @@
 ///             they are strongly nonoverlapping, so the last one has the sign of the whole
 /// Requires    rounding to nearest even; no overflow, and every product a multiple of 2^-1074: the exact range
 ///             (coordinate_range.h) grants both for products of up to five coordinates
-/// Reference   [Shewchuk1997] theorems 6, 7, 13, 18, 19 (two-sum, fast-two-sum, expansion sum, two-product, scaling)
+/// Reference   [shewchuk1997] theorems 6, 7, 13, 18, 19 (two-sum, fast-two-sum, expansion sum, two-product, scaling)
 namespace mesher::detail {
 
 /// A value and the roundoff that was lost in computing it: their sum is exact.

@@ -46,7 +46,7 @@ Sign incirclePerturbation(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
 /// Sign       for counter-clockwise a, b, c positive iff d is strictly inside; for clockwise ones the opposite
 /// Laws       zero iff the points lie on one circle or line; swapping any two of the four flips the sign
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign incircle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     const detail::IncircleEstimate estimate(a, b, c, d);
@@ -73,7 +73,7 @@ Sign incirclePerturbation(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
 ///            a, b, c it is orient2d(a, b, c) with d in that point's place
 /// Laws       zero iff all four points are collinear or two of them coincide; swapping any two flips the sign
 /// Requires   as `incircle`
-/// Reference  [DevillersTeillaud2011] section 3
+/// Reference  [devillers2011] section 3
 [[nodiscard]] inline Sign incirclePerturbed(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     const Sign sign = incircle(a, b, c, d);

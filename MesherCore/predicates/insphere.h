@@ -63,7 +63,7 @@ Sign inspherePerturbation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 ///            oriented ones the opposite
 /// Laws       zero iff the points lie on one sphere or plane; swapping any two of the five flips the sign
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
 {
     const detail::InsphereEstimate estimate(a, b, c, d, e);
@@ -90,7 +90,7 @@ Sign inspherePerturbation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 ///            of a, b, c, d it is orient3d(a, b, c, d) with e in that point's place
 /// Laws       zero iff all five points are coplanar or two of them coincide; swapping any two flips the sign
 /// Requires   as `insphere`
-/// Reference  [DevillersTeillaud2011] section 3
+/// Reference  [devillers2011] section 3
 [[nodiscard]] inline Sign inspherePerturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                                             const Vec3& e)
 {

@@ -38,7 +38,7 @@ Sign orient2dExact(const Vec2& a, const Vec2& b, const Vec2& c);
 /// Sign       positive iff a, b, c turn counter-clockwise
 /// Laws       zero iff the points are collinear; swapping two points flips the sign; rotating them keeps it
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c)
 {
     const detail::Orient2dEstimate estimate(a, b, c);

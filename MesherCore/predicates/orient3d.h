@@ -42,7 +42,7 @@ Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Sign       positive iff a, b, c turn counter-clockwise as seen from d
 /// Laws       zero iff the points are coplanar; swapping two points flips the sign
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const detail::Orient3dEstimate estimate(a, b, c, d);
