@@ -5,6 +5,7 @@
 #include "predicates/exact_tiers.h"
 #include "predicates/expansion_determinants.h"
 #include "predicates/integer_determinants.h"
+#include "predicates/short_coordinates.h"
 #include "predicates/orient2d.h"
 
 #include <algorithm>
@@ -12,6 +13,22 @@
 #include <cstddef>
 
 namespace mesher::detail {
+
+namespace {
+
+/// Bits of the differences for which all sums stay below 2^53: the two terms are at most (2 * 2^(2 * 12))^2 each and sum to 2^51.
+constexpr int kShortBits = 12;
+
+}  // namespace
+
+std::optional<Sign> incircleShort(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    const IncircleEstimate estimate(a, b, c, d);
+    const Vec2 largest = estimate.largestDifferences();
+    const double difference = std::max(largest.x, largest.y);
+    if (!areShort(std::array<double, 8>{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y}, difference, kShortBits)) return std::nullopt;
+    return signOf(estimate.determinant);
+}
 
 std::optional<Sign> incircleInteger64(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
@@ -35,6 +52,7 @@ Sign incircleExpansion(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& 
 Sign incircleExact(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     MESHER_PRECONDITION(isInExactRange(a) && isInExactRange(b) && isInExactRange(c) && isInExactRange(d));
+    if (const auto sign = incircleShort(a, b, c, d)) return *sign;
     if (const auto sign = incircleInteger64(a, b, c, d)) return *sign;
     if (const auto sign = incircleInteger128(a, b, c, d)) return *sign;
     return incircleExpansion(a, b, c, d);

@@ -30,14 +30,29 @@ struct IncircleEstimate
 
     [[nodiscard]] double errorBound() const
     {
-        const double x = std::max(std::max(std::abs(ca.x), std::abs(cb.x)), std::max(std::abs(da.x), std::abs(db.x)));
-        const double y = std::max(std::max(std::abs(ca.y), std::abs(cb.y)), std::max(std::abs(da.y), std::abs(db.y)));
-        return kIncircleBound * x * y * (x * x + y * y);
+        const Vec2 largest = largestDifferences();
+        return kIncircleBound * largest.x * largest.y * squaredLength(largest);
+    }
+    /// Per axis.
+    [[nodiscard]] Vec2 largestDifferences() const
+    {
+        return {std::max(std::max(std::abs(ca.x), std::abs(cb.x)), std::max(std::abs(da.x), std::abs(db.x))),
+                std::max(std::max(std::abs(ca.y), std::abs(cb.y)), std::max(std::abs(da.y), std::abs(db.y)))};
     }
 };
 
 Sign incircleExact(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 Sign incirclePerturbation(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate, and
+/// then so does the determinant.
+inline Sign incircleFiltered(const IncircleEstimate& estimate, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    const double bound = estimate.errorBound();
+    if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
+    if (bound == 0.0) return Sign::Zero;
+    return incircleExact(a, b, c, d);
+}
 
 }  // namespace detail
 
@@ -50,8 +65,7 @@ Sign incirclePerturbation(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
 [[nodiscard]] inline Sign incircle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     const detail::IncircleEstimate estimate(a, b, c, d);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::incircleExact(a, b, c, d);
+    return detail::incircleFiltered(estimate, a, b, c, d);
 }
 
 /// The same; `filter` must have been made for a box that contains the four points.
@@ -60,8 +74,7 @@ Sign incirclePerturbation(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
 {
     const detail::IncircleEstimate estimate(a, b, c, d);
     if (std::abs(estimate.determinant) > filter.incircle) return signOfNonZero(estimate.determinant);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::incircleExact(a, b, c, d);
+    return detail::incircleFiltered(estimate, a, b, c, d);
 }
 
 /// `incircle` of points whose lifts are raised by infinitesimals, that of the lexicographically larger point

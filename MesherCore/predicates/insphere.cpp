@@ -5,6 +5,7 @@
 #include "predicates/exact_tiers.h"
 #include "predicates/expansion_determinants.h"
 #include "predicates/integer_determinants.h"
+#include "predicates/short_coordinates.h"
 #include "predicates/orient3d.h"
 
 #include <algorithm>
@@ -12,6 +13,21 @@
 #include <cstddef>
 
 namespace mesher::detail {
+
+namespace {
+
+/// Bits of the differences for which all sums stay below 2^53: 72 terms of at most 2^(5 * 9) each.
+constexpr int kShortBits = 9;
+
+}  // namespace
+
+std::optional<Sign> insphereShort(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
+{
+    const InsphereEstimate estimate(a, b, c, d, e);
+    const double difference = estimate.largestDifference();
+    if (!areShort(std::array<double, 15>{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z}, difference, kShortBits)) return std::nullopt;
+    return signOf(estimate.determinant);
+}
 
 std::optional<Sign> insphereInteger64(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
 {
@@ -35,6 +51,7 @@ Sign insphereExpansion(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 Sign insphereExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
 {
     MESHER_PRECONDITION(isInExactRange(a) && isInExactRange(b) && isInExactRange(c) && isInExactRange(d) && isInExactRange(e));
+    if (const auto sign = insphereShort(a, b, c, d, e)) return *sign;
     if (const auto sign = insphereInteger64(a, b, c, d, e)) return *sign;
     if (const auto sign = insphereInteger128(a, b, c, d, e)) return *sign;
     return insphereExpansion(a, b, c, d, e);

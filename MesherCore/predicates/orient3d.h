@@ -26,14 +26,29 @@ struct Orient3dEstimate
 
     [[nodiscard]] double errorBound() const
     {
-        const double x = std::max(std::max(std::abs(u.x), std::abs(v.x)), std::abs(w.x));
-        const double y = std::max(std::max(std::abs(u.y), std::abs(v.y)), std::abs(w.y));
-        const double z = std::max(std::max(std::abs(u.z), std::abs(v.z)), std::abs(w.z));
-        return kOrient3dBound * x * y * z;
+        const Vec3 largest = largestDifferences();
+        return kOrient3dBound * largest.x * largest.y * largest.z;
+    }
+    /// Per axis.
+    [[nodiscard]] Vec3 largestDifferences() const
+    {
+        return {std::max(std::max(std::abs(u.x), std::abs(v.x)), std::abs(w.x)),
+                std::max(std::max(std::abs(u.y), std::abs(v.y)), std::abs(w.y)),
+                std::max(std::max(std::abs(u.z), std::abs(v.z)), std::abs(w.z))};
     }
 };
 
 Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate, and
+/// then so does the determinant.
+inline Sign orient3dFiltered(const Orient3dEstimate& estimate, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    const double bound = estimate.errorBound();
+    if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
+    if (bound == 0.0) return Sign::Zero;
+    return orient3dExact(a, b, c, d);
+}
 
 }  // namespace detail
 
@@ -46,8 +61,7 @@ Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 [[nodiscard]] inline Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const detail::Orient3dEstimate estimate(a, b, c, d);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::orient3dExact(a, b, c, d);
+    return detail::orient3dFiltered(estimate, a, b, c, d);
 }
 
 /// The same; `filter` must have been made for a box that contains the four points.
@@ -56,8 +70,7 @@ Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 {
     const detail::Orient3dEstimate estimate(a, b, c, d);
     if (std::abs(estimate.determinant) > filter.orient3d) return signOfNonZero(estimate.determinant);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::orient3dExact(a, b, c, d);
+    return detail::orient3dFiltered(estimate, a, b, c, d);
 }
 
 }  // namespace mesher
