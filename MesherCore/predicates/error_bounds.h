@@ -15,6 +15,9 @@
 /// bound itself; docs/algorithms/predicates.md shows why that is harmless.
 namespace mesher::detail {
 
+#ifdef __FAST_MATH__
+#error "the predicates are exact only without -ffast-math"
+#endif
 static_assert(std::numeric_limits<double>::is_iec559, "the predicates need IEEE 754 binary64");
 
 inline constexpr double kRoundoff = 0x1p-53;
