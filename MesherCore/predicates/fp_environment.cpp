@@ -6,64 +6,63 @@ namespace mesher {
 
 namespace {
 
-/// A double that the compiler must load, so that nothing is computed at compile time.
-class Opaque
+/// The same value by way of memory, so that nothing is computed at compile time.
+double opaque(double value)
 {
-public:
-    explicit Opaque(double value) : value_(value) {}
-    operator double() const { return value_; }
+    volatile double stored = value;
+    return stored;
+}
 
-private:
-    volatile double value_;
-};
+/// All operands by way of memory: the compiler may take the sum of negated values for the negated sum.
+double sum(double a, double b) { return opaque(opaque(a) + opaque(b)); }
 
 bool roundsToNearestEven()
 {
-    const Opaque one(1.0);
-    const Opaque next(0x1.0000000000001p0);
-    const Opaque halfUlp(0x1p-53);
-    const Opaque moreThanHalfUlp(0x1.8p-53);
-    const bool isTieDown = one + halfUlp == 1.0 && -one - halfUlp == -1.0;
-    const bool isTieUp = next + halfUlp == 0x1.0000000000002p0 && -next - halfUlp == -0x1.0000000000002p0;
-    const bool isNearest = one + moreThanHalfUlp == next && -one - moreThanHalfUlp == -next;
+    constexpr double kNext = 0x1.0000000000001p0;
+    constexpr double kAfterNext = 0x1.0000000000002p0;
+    constexpr double kHalfUlp = 0x1p-53;
+    constexpr double kMoreThanHalfUlp = 0x1.8p-53;
+    const bool isTieDown = sum(1.0, kHalfUlp) == 1.0 && sum(-1.0, -kHalfUlp) == -1.0;
+    const bool isTieUp = sum(kNext, kHalfUlp) == kAfterNext && sum(-kNext, -kHalfUlp) == -kAfterNext;
+    const bool isNearest = sum(1.0, kMoreThanHalfUlp) == kNext && sum(-1.0, -kMoreThanHalfUlp) == -kNext;
     return isTieDown && isTieUp && isNearest;
 }
 
 bool producesSubnormals()
 {
-    const Opaque smallestNormal(0x1p-1022);
-    const Opaque half(0.5);
+    const double smallestNormal = opaque(0x1p-1022);
+    const double half = opaque(0.5);
     // Dividing brings a result that was not flushed back to normal.
-    const Opaque product(smallestNormal * half);
+    const double product = opaque(smallestNormal * half);
     return product / half == smallestNormal;
 }
 
 bool readsSubnormals()
 {
-    const Opaque subnormal(0x1p-1060);
-    const Opaque factor(0x1p100);
+    const double subnormal = opaque(0x1p-1060);
+    const double factor = opaque(0x1p100);
     return subnormal * factor == 0x1p-960;
 }
 
 bool keepsDoublePrecision()
 {
-    const Opaque one(1.0);
-    const Opaque tiny(0x1p-60);
-    const Opaque huge(0x1p1000);
-    const Opaque factor(0x1p100);
-    const double sum = (one + tiny) - one;
-    const double quotient = (huge * factor) / factor;
-    return sum == 0.0 && quotient != huge;
+    const double one = opaque(1.0);
+    const double tiny = opaque(0x1p-60);
+    const double huge = opaque(0x1p1000);
+    const double factor = opaque(0x1p100);
+    const double lost = (one + tiny) - one;
+    const double overflown = (huge * factor) / factor;
+    return lost == 0.0 && overflown != huge;
 }
 
 bool roundsProductsBeforeSums()
 {
-    const Opaque factor(0x1.0000002p0);
-    const Opaque rounded(0x1.0000004p0);
+    const double factor = opaque(0x1.0000002p0);
+    const double rounded = opaque(0x1.0000004p0);
     // The exact square is 2^-54 above its rounded value.
-    const double difference = factor * factor - rounded;
-    const double sum = rounded - factor * factor;
-    return difference == 0.0 && sum == 0.0;
+    const double after = factor * factor - rounded;
+    const double before = rounded - factor * factor;
+    return after == 0.0 && before == 0.0;
 }
 
 }  // namespace
