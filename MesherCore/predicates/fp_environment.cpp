@@ -52,16 +52,18 @@ bool keepsDoublePrecision()
     const double factor = opaque(0x1p100);
     const double lost = (one + tiny) - one;
     const double overflown = (huge * factor) / factor;
-    return lost == 0.0 && overflown != huge;
+    // Whatever the rounding, a double cannot give the tiny summand back.
+    return lost != tiny && overflown != huge;
 }
 
 bool roundsProductsBeforeSums()
 {
-    const double factor = opaque(0x1.0000002p0);
-    const double rounded = opaque(0x1.0000004p0);
-    // The exact square is 2^-54 above its rounded value.
-    const double after = factor * factor - rounded;
-    const double before = rounded - factor * factor;
+    // The exact square of the factor is 2^-54 above its rounded value. Each product has operands of its own: one
+    // that is used twice might be spared from fusing.
+    constexpr double kFactor = 0x1.0000002p0;
+    constexpr double kRounded = 0x1.0000004p0;
+    const double after = opaque(kFactor) * opaque(kFactor) - opaque(kRounded);
+    const double before = opaque(kRounded) - opaque(kFactor) * opaque(kFactor);
     return after == 0.0 && before == 0.0;
 }
 
