@@ -50,7 +50,8 @@ struct Box3
     [[nodiscard]] constexpr bool isEmpty() const { return !(low.x <= high.x); }
     [[nodiscard]] constexpr bool contains(Vec3 p) const
     {
-        return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
+        return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z &&
+               p.z <= high.z;
     }
     [[nodiscard]] constexpr Vec3 extent() const { return high - low; }
 

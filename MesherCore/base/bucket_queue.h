@@ -80,8 +80,8 @@ public:
     }
 
 private:
-    static constexpr int kMantissaBits = 3;       // eight buckets per octave
-    static constexpr int kLowestExponent = -64;   // of the keys told apart
+    static constexpr int kMantissaBits = 3;      // eight buckets per octave
+    static constexpr int kLowestExponent = -64;  // of the keys told apart
     static constexpr int kOctaves = 128;
     static constexpr std::size_t kBucketCount = static_cast<std::size_t>(kOctaves) << kMantissaBits;
     static constexpr std::size_t kCompactionThreshold = 1024;
@@ -103,7 +103,8 @@ private:
     {
         MESHER_PRECONDITION(key >= 0.0);
         constexpr std::int64_t lowest = std::int64_t{1023 + kLowestExponent} << kMantissaBits;
-        const auto bits = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(key + 0.0) >> (52 - kMantissaBits));
+        const auto bits =
+            static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(key + 0.0) >> (52 - kMantissaBits));
         return static_cast<std::size_t>(
             std::clamp<std::int64_t>(bits - lowest, 0, static_cast<std::int64_t>(kBucketCount) - 1));
     }

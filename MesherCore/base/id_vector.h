@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/assert.h"
+#include "base/large_page_allocator.h"
 
 #include <cstdint>
 #include <utility>
@@ -27,10 +28,15 @@ public:
         return items_[id.value];
     }
 
-    IdType push_back(T item)
+    IdType push_back(const T& item)
+    {
+        items_.push_back(item);
+        return lastId();
+    }
+    IdType push_back(T&& item)
     {
         items_.push_back(std::move(item));
-        return IdType(static_cast<std::uint32_t>(items_.size() - 1));
+        return lastId();
     }
 
     [[nodiscard]] std::size_t size() const { return items_.size(); }
@@ -48,7 +54,9 @@ public:
     auto end() const { return items_.end(); }
 
 private:
-    std::vector<T> items_;
+    [[nodiscard]] IdType lastId() const { return IdType(static_cast<std::uint32_t>(items_.size() - 1)); }
+
+    std::vector<T, LargePageAllocator<T>> items_;
 };
 
 }  // namespace mesher

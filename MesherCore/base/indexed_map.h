@@ -106,10 +106,7 @@ public:
     [[nodiscard]] bool contains(const Key& key) const { return find(key) != nullptr; }
 
     /// The value of the key, or null.
-    [[nodiscard]] Value* find(const Key& key)
-    {
-        return const_cast<Value*>(std::as_const(*this).find(key));
-    }
+    [[nodiscard]] Value* find(const Key& key) { return const_cast<Value*>(std::as_const(*this).find(key)); }
     [[nodiscard]] const Value* find(const Key& key) const
     {
         if (table_.empty()) return nullptr;

@@ -26,10 +26,7 @@ void RunContext::log(LogLevel level, std::string_view message) const
 
 namespace {
 
-std::uint64_t stepsPerReport(std::uint64_t stepCount)
-{
-    return std::max<std::uint64_t>(1, stepCount / 100);
-}
+std::uint64_t stepsPerReport(std::uint64_t stepCount) { return std::max<std::uint64_t>(1, stepCount / 100); }
 
 }  // namespace
 

@@ -45,10 +45,7 @@ inline double length(Vec3 a) { return std::sqrt(squaredLength(a)); }
 inline bool isFinite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
 /// Lexicographic order by x, then y, then z: the order that keys the symbolic perturbation.
-constexpr bool isLexicographicallyLess(Vec2 a, Vec2 b)
-{
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-}
+constexpr bool isLexicographicallyLess(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 constexpr bool isLexicographicallyLess(Vec3 a, Vec3 b)
 {
     return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z);

@@ -1,9 +1,11 @@
 #include "delaunay/cavity3d.h"
 
 #include "predicates/insphere.h"
+#include "predicates/insphere_vectorised.h"
 #include "predicates/orient3d.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mesher {
@@ -35,11 +37,32 @@ bool isSameEdge(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
 
 // --- conflict search
 
-bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const
+CavityOperator3d::CavityOperator3d(Triangulation3d& triangulation)
+    : mesh_(triangulation), canVectorise_(canVectoriseInsphere())
+{}
+
+inline bool CavityOperator3d::isInConflict(TetId tet, const VertexRecord& point, const StaticFilter3d& filter) const
 {
     const VertexRecord* vertices = mesh_.vertexData();
-    const TetRecord* record = mesh_.tetData() + tet.value;
-    if (isGhost(record->vertex[3])) [[unlikely]] {
+    const TetRecord& record = mesh_.tetData()[tet.value];
+    if (canVectorise_ && !isGhost(record.vertex[3])) [[likely]] {
+        const InsphereVectorEstimate estimate = insphereEstimateVectorised(
+            &vertices[record.vertex[0].value].position.x, &vertices[record.vertex[1].value].position.x,
+            &vertices[record.vertex[2].value].position.x, &vertices[record.vertex[3].value].position.x,
+            &point.position.x);
+        const double magnitude = std::abs(estimate.determinant);
+        if (magnitude > filter.insphere || magnitude > estimate.errorBound()) [[likely]] {
+            return estimate.determinant > 0.0;
+        }
+    }
+    return isInConflictExactly(record, point.position, filter);
+}
+
+bool CavityOperator3d::isInConflictExactly(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const
+{
+    const VertexRecord* vertices = mesh_.vertexData();
+    const TetRecord* record = &tet;
+    if (isGhost(record->vertex[3])) {
         const Sign side = orient3d(filter, vertices[record->vertex[0].value].position,
                                    vertices[record->vertex[1].value].position,
                                    vertices[record->vertex[2].value].position, point);
@@ -50,6 +73,15 @@ bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFi
     return inspherePerturbed(filter, vertices[record->vertex[0].value].position,
                              vertices[record->vertex[1].value].position, vertices[record->vertex[2].value].position,
                              vertices[record->vertex[3].value].position, point) == Sign::Positive;
+}
+
+/// The search comes to the neighbours a few tetrahedra later: time enough to fetch them.
+inline void CavityOperator3d::prefetchAround(TetId tet) const
+{
+    for (const TetFace neighbour : mesh_.tetData()[tet.value].neighbour) {
+        __builtin_prefetch(mesh_.tetData() + neighbour.tet().value);
+        __builtin_prefetch(mesh_.stateData() + neighbour.tet().value);
+    }
 }
 
 bool CavityOperator3d::isSplitFace(const std::array<VertexId, 3>& face) const
@@ -64,34 +96,40 @@ bool CavityOperator3d::isCrossingForbidden(TetFace face) const
     return mesh_.isFaceConstrained(face) && !isSplitFace(mesh_.faceVertices(face));
 }
 
-void CavityOperator3d::addFace(TetId inner, int face, TetFace outer)
+inline void CavityOperator3d::addFace(const TetRecord& inner, unsigned face, TetFace outer)
 {
-    const auto [f0, f1, f2] = mesh_.faceVertices({inner, face});
-    cavity_.faces.push_back({outer, facingPoint(f0, f1, f2)});
+    const int* slots = kFaceSlots[face];
+    cavity_.faces.push_back({outer, facingPoint(inner.vertex[static_cast<unsigned>(slots[0])],
+                                                inner.vertex[static_cast<unsigned>(slots[1])],
+                                                inner.vertex[static_cast<unsigned>(slots[2])])});
 }
 
 template <bool kConstrained>
-void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d& filter)
+void CavityOperator3d::collectConflicts(const VertexRecord& point, const StaticFilter3d& filter)
 {
+    const TetRecord* const records = mesh_.tetData();
+    TetState* const states = mesh_.stateData();
     std::vector<TetId>& tets = cavity_.tets;
     for (std::size_t next = 0; next < tets.size(); ++next) {
         const TetId inner = tets[next];
-        for (int face = 0; face < 4; ++face) {
-            const TetFace outer = mesh_.tetData()[inner.value].neighbour[static_cast<unsigned>(face)];
+        const TetRecord record = records[inner.value];
+        for (unsigned face = 0; face < 4; ++face) {
+            const TetFace outer = record.neighbour[face];
             const TetId other = outer.tet();
             if constexpr (kConstrained) {
-                if (isCrossingForbidden({inner, face})) {
-                    addFace(inner, face, outer);
+                if (isCrossingForbidden({inner, static_cast<int>(face)})) {
+                    addFace(record, face, outer);
                     continue;
                 }
             }
-            TetState& state = mesh_.stateData()[other.value];
+            TetState& state = states[other.value];
             if ((state.flags & tet_flag::kInCavity) != 0) continue;
             if (isInConflict(other, point, filter)) {
                 state.flags |= tet_flag::kInCavity;
                 tets.push_back(other);
+                prefetchAround(other);
             } else {
-                addFace(inner, face, outer);
+                addFace(record, face, outer);
             }
         }
     }
@@ -108,7 +146,7 @@ const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId>
     cavity_.repairs = 0;
     split_ = split;
     for (const TetId seed : seeds) mark(seed);
-    collectConflicts<true>(point, filter);
+    collectConflicts<true>(VertexRecord{point}, filter);
     marked_ = cavity_.tets;
     while (cavity_.status == CavityStatus::Ready && repairOnce(seeds, filter)) refloodFromSeeds(seeds);
     for (const TetId tet : marked_) unmark(tet);
@@ -178,7 +216,7 @@ void CavityOperator3d::refloodFromSeeds(std::span<const TetId> seeds)
                 mark(outer.tet());
                 cavity_.tets.push_back(outer.tet());
             } else {
-                addFace(inner, face, outer);
+                addFace(mesh_.tet(inner), static_cast<unsigned>(face), outer);
             }
         }
     }
@@ -387,7 +425,7 @@ TetId CavityOperator3d::insertUnconstrained(VertexId vertex, TetId seed, const S
     cavity_.faces.clear();
     cavity_.tets.push_back(seed);
     mark(seed);
-    collectConflicts<false>(mesh_.position(vertex), filter);
+    collectConflicts<false>(mesh_.vertexData()[vertex.value], filter);
     return retriangulate<false>(vertex);
 }
 

@@ -75,7 +75,7 @@ struct CavitySplit3d
 class CavityOperator3d
 {
 public:
-    explicit CavityOperator3d(Triangulation3d& triangulation) : mesh_(triangulation) {}
+    explicit CavityOperator3d(Triangulation3d& triangulation);
 
     /// The tetrahedra in conflict with the point that can be reached from the seeds without crossing a constrained
     /// face, made star-shaped. The returned cavity is valid until the next call.
@@ -101,11 +101,13 @@ private:
     };
 
     template <bool kConstrained>
-    void collectConflicts(const Vec3& point, const StaticFilter3d& filter);
-    bool isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const;
+    void collectConflicts(const VertexRecord& point, const StaticFilter3d& filter);
+    bool isInConflict(TetId tet, const VertexRecord& point, const StaticFilter3d& filter) const;
+    bool isInConflictExactly(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const;
+    void prefetchAround(TetId tet) const;
     bool isCrossingForbidden(TetFace face) const;
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
-    void addFace(TetId inner, int face, TetFace outer);
+    void addFace(const TetRecord& inner, unsigned face, TetFace outer);
 
     void refloodFromSeeds(std::span<const TetId> seeds);
     bool repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter);
@@ -130,6 +132,7 @@ private:
     }
 
     Triangulation3d& mesh_;
+    bool canVectorise_;
     Cavity3d cavity_;
     CavitySplit3d split_;
     std::vector<TetId> marked_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/large_page_allocator.h"
 #include "delaunay/ghost_vertex.h"
 
 #include <bit>
@@ -94,7 +95,7 @@ private:
         return slot;
     }
 
-    std::vector<std::uint32_t> localOf_;  ///< by vertex id + 1, so that the ghost (all bits set) is entry 0
+    std::vector<std::uint32_t, LargePageAllocator<std::uint32_t>> localOf_;  ///< by vertex id + 1, so that the ghost (all bits set) is entry 0
     std::vector<VertexId> vertices_;
     std::vector<Value> table_;
     std::vector<Entry> hashed_;

@@ -3,6 +3,7 @@
 #include "delaunay/id_set.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace mesher {
 
@@ -52,7 +53,8 @@ std::uint32_t Triangulation3d::finiteTetCount() const
 void Triangulation3d::growTets()
 {
     // A quarter instead of doubling: the arrays of a finished mesh hold little that is not used.
-    const std::size_t size = tets_.size() + tets_.size() / 4 + 64;
+    if (tets_.size() >= kMaxTets) throw std::length_error("more than 2^30 tetrahedra");
+    const std::size_t size = std::min<std::size_t>(kMaxTets, tets_.size() + tets_.size() / 4 + 64);
     tets_.reserve(size);
     states_.reserve(size);
     regions_.reserve(size);
@@ -79,23 +81,6 @@ void Triangulation3d::freeTet(TetId tet)
     renewTet(tet);
     states_[tet].flags = tet_flag::kDead;
     freeTets_.push_back(tet);
-}
-
-int Triangulation3d::slotOf(TetId tet, VertexId vertex) const
-{
-    const auto& vertices = tets_[tet].vertex;
-    for (int slot = 0; slot < 4; ++slot) {
-        if (vertices[static_cast<unsigned>(slot)] == vertex) return slot;
-    }
-    return -1;
-}
-
-std::array<VertexId, 3> Triangulation3d::faceVertices(TetFace face) const
-{
-    const auto& vertices = tets_[face.tet()].vertex;
-    const auto& slots = kFaceSlots[face.face()];
-    return {vertices[static_cast<unsigned>(slots[0])], vertices[static_cast<unsigned>(slots[1])],
-            vertices[static_cast<unsigned>(slots[2])]};
 }
 
 void Triangulation3d::collectStar(VertexId vertex, std::vector<TetId>& star) const
@@ -163,6 +148,7 @@ void Triangulation3d::collectEdgeRing(TetId start, VertexId a, VertexId b, std::
 
 void Triangulation3d::setFaceConstrained(TetFace face, bool constrained)
 {
+    wasConstrained_ |= constrained;
     for (const TetFace side : {face, neighbour(face)}) {
         std::uint16_t& flags = states_[side.tet()].flags;
         const std::uint16_t bit = tet_flag::face(side.face());
@@ -172,6 +158,7 @@ void Triangulation3d::setFaceConstrained(TetFace face, bool constrained)
 
 void Triangulation3d::setEdgeConstrained(TetId tet, VertexId a, VertexId b, bool constrained)
 {
+    wasConstrained_ |= constrained;
     std::vector<TetId> ring;
     collectEdgeRing(tet, a, b, ring);
     for (const TetId t : ring) {
@@ -183,7 +170,16 @@ void Triangulation3d::setEdgeConstrained(TetId tet, VertexId a, VertexId b, bool
 
 void Triangulation3d::clear()
 {
-    *this = Triangulation3d();
+    vertices_.clear();
+    incidentTet_.clear();
+    vertexClass_.clear();
+    freeVertex_ = VertexId();
+    freeVertexCount_ = 0;
+    tets_.clear();
+    states_.clear();
+    regions_.clear();
+    freeTets_.clear();
+    wasConstrained_ = false;
 }
 
 void Triangulation3d::reserve(std::size_t vertices, std::size_t tets)

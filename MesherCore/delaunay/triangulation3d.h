@@ -95,12 +95,15 @@ struct Renumbering3d
 /// and one ghost tetrahedron per hull facet. Flat arrays owned by this class alone; it stores and links, and knows
 /// no geometry but the vertices' positions.
 ///
+/// Limits       2^30 tetrahedra (allocateTet throws std::length_error beyond), 2^32 - 2 vertices
 /// Guarantees   a live tetrahedron has four different vertices and four symmetric links (checkTopology);
 ///              a ghost tetrahedron has the ghost in slot 3.
 /// Cost         40 bytes a tetrahedron, 40 bytes a vertex.
 class Triangulation3d
 {
 public:
+    static constexpr std::uint32_t kMaxTets = 1u << 30;
+
     // --- vertices
     VertexId addVertex(Vec3 position, VertexClass classification = {});
     /// The vertex must have no tetrahedron left. Its id is reused by a later addVertex.
@@ -186,6 +189,8 @@ public:
     }
     void setFaceConstrained(TetFace face, bool constrained);
     void setEdgeConstrained(TetId tet, VertexId a, VertexId b, bool constrained);
+    /// Whether any face or edge was constrained since the triangulation was empty.
+    [[nodiscard]] bool wasConstrained() const { return wasConstrained_; }
 
     // --- storage
     void clear();
@@ -216,7 +221,25 @@ private:
     IdVector<TetId, TetState> states_;
     IdVector<TetId, RegionId> regions_;
     std::vector<TetId> freeTets_;
+    bool wasConstrained_ = false;
 };
+
+inline int Triangulation3d::slotOf(TetId tet, VertexId vertex) const
+{
+    const auto& vertices = tets_[tet].vertex;
+    for (int slot = 0; slot < 4; ++slot) {
+        if (vertices[static_cast<unsigned>(slot)] == vertex) return slot;
+    }
+    return -1;
+}
+
+inline std::array<VertexId, 3> Triangulation3d::faceVertices(TetFace face) const
+{
+    const auto& vertices = tets_[face.tet()].vertex;
+    const auto& slots = kFaceSlots[face.face()];
+    return {vertices[static_cast<unsigned>(slots[0])], vertices[static_cast<unsigned>(slots[1])],
+            vertices[static_cast<unsigned>(slots[2])]};
+}
 
 /// The region outside of every solid, and of a tetrahedron that nobody classified.
 inline constexpr RegionId kExteriorRegion{0u};

@@ -38,12 +38,15 @@ double scaledToKernel(double coordinate, int exponent, std::size_t& roundedCoord
 
 Error nonFinite(std::string entity)
 {
-    return {ErrorCode::NonFinitePoint, "a coordinate is infinite or not a number", std::move(entity), std::nullopt,
-            "remove the point or repair the model"};
+    return {ErrorCode::NonFinitePoint, "a coordinate is infinite or not a number", std::move(entity),
+            std::nullopt, "remove the point or repair the model"};
 }
 
 double largestMagnitude(const Vec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
-double largestMagnitude(const Vec3& p) { return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z)); }
+double largestMagnitude(const Vec3& p)
+{
+    return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z));
+}
 
 /// The largest magnitude of a coordinate, or the first point with one that is not finite.
 template <class Point>
@@ -69,7 +72,10 @@ Result<double> largestMagnitudeOf(const Box& box)
 }  // namespace
 
 bool isInExactRange(const Vec2& p) { return isInExactRange(p.x) && isInExactRange(p.y); }
-bool isInExactRange(const Vec3& p) { return isInExactRange(p.x) && isInExactRange(p.y) && isInExactRange(p.z); }
+bool isInExactRange(const Vec3& p)
+{
+    return isInExactRange(p.x) && isInExactRange(p.y) && isInExactRange(p.z);
+}
 
 PowerOfTwoScaling::PowerOfTwoScaling(double largestMagnitude)
 {
@@ -106,11 +112,13 @@ Result<PowerOfTwoScaling> PowerOfTwoScaling::forPoints(std::span<const Vec3> poi
 
 Vec2 PowerOfTwoScaling::toKernel(const Vec2& p, std::size_t& roundedCoordinates) const
 {
-    return {scaledToKernel(p.x, exponent_, roundedCoordinates), scaledToKernel(p.y, exponent_, roundedCoordinates)};
+    return {scaledToKernel(p.x, exponent_, roundedCoordinates),
+            scaledToKernel(p.y, exponent_, roundedCoordinates)};
 }
 Vec3 PowerOfTwoScaling::toKernel(const Vec3& p, std::size_t& roundedCoordinates) const
 {
-    return {scaledToKernel(p.x, exponent_, roundedCoordinates), scaledToKernel(p.y, exponent_, roundedCoordinates),
+    return {scaledToKernel(p.x, exponent_, roundedCoordinates),
+            scaledToKernel(p.y, exponent_, roundedCoordinates),
             scaledToKernel(p.z, exponent_, roundedCoordinates)};
 }
 

@@ -10,8 +10,8 @@
 namespace mesher {
 
 /// The exact range: coordinates that are multiples of 2^kGridExponent and of magnitude at most
-/// 2^kLargestExponent. There no sum, product or expansion of the predicates overflows, and products of up to five
-/// coordinates or differences are multiples of 2^-1000, so that none underflows either. Proof:
+/// 2^kLargestExponent. There no sum, product or expansion of the predicates overflows, and products of up to
+/// five coordinates or differences are multiples of 2^-1000, so that none underflows either. Proof:
 /// docs/algorithms/predicates.md.
 inline constexpr int kGridExponent = -200;
 inline constexpr int kLargestExponent = 200;
@@ -22,10 +22,11 @@ inline constexpr int kLargestExponent = 200;
 
 /// One power of two that takes a model into the exact range. It never translates, because that would round.
 ///
-/// Guarantees  the largest coordinate of the box gets a magnitude in [2^99, 2^100), which leaves room for points
-///             constructed outside of the box and for squared volumes; a box of the origin alone or an empty one
-///             is not scaled. Scaling is exact but for coordinates that are not multiples of 2^-200 then, that is,
-///             with bits more than 300 binary places below the largest: these are rounded and counted.
+/// Guarantees  the largest coordinate of the box gets a magnitude in [2^99, 2^100), which leaves room for
+///             points constructed outside of the box and for squared volumes; a box of the origin alone or an
+///             empty one is not scaled. Scaling is exact but for coordinates that are not multiples of 2^-200
+///             then, that is, with bits more than 300 binary places below the largest: these are rounded and
+///             counted.
 /// Requires    finite coordinates, else ErrorCode::NonFinitePoint
 class PowerOfTwoScaling
 {

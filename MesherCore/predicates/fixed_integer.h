@@ -24,7 +24,8 @@ public:
     static FixedInteger fromParts(std::int64_t high, std::int64_t low)
     {
         static_assert(Limbs == 2);
-        return ofBits(static_cast<UnsignedInt128>(static_cast<SignedInt128>(high) * (SignedInt128{1} << 62) + low));
+        return ofBits(
+            static_cast<UnsignedInt128>(static_cast<SignedInt128>(high) * (SignedInt128{1} << 62) + low));
     }
     static FixedInteger fromInt64(std::int64_t value)
     {
@@ -81,7 +82,8 @@ public:
 
     /// The full product; as wide as both factors together, so it cannot overflow.
     template <std::size_t OtherLimbs>
-    friend FixedInteger<Limbs + OtherLimbs> operator*(const FixedInteger& a, const FixedInteger<OtherLimbs>& b)
+    friend FixedInteger<Limbs + OtherLimbs> operator*(const FixedInteger& a,
+                                                      const FixedInteger<OtherLimbs>& b)
     {
         if constexpr (Limbs == 1 && OtherLimbs == 1) {
             const auto signedProduct = static_cast<SignedInt128>(static_cast<std::int64_t>(a.limb(0))) *

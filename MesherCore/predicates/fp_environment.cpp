@@ -58,8 +58,8 @@ bool keepsDoublePrecision()
 
 bool roundsProductsBeforeSums()
 {
-    // The exact square of the factor is 2^-54 above its rounded value. Each product has operands of its own: one
-    // that is used twice might be spared from fusing.
+    // The exact square of the factor is 2^-54 above its rounded value. Each product has operands of its own:
+    // one that is used twice might be spared from fusing.
     constexpr double kFactor = 0x1.0000002p0;
     constexpr double kRounded = 0x1.0000004p0;
     const double after = opaque(kFactor) * opaque(kFactor) - opaque(kRounded);
@@ -97,8 +97,9 @@ Result<void> checkFloatingPointEnvironment()
 {
     const FloatingPointFault fault = probeFloatingPoint();
     if (fault == FloatingPointFault::None) return {};
-    return Error{ErrorCode::UnsupportedPlatform, std::string("floating-point environment: ") + nameOf(fault), "",
-                 std::nullopt, "restore the default floating-point mode and build without fast-math options"};
+    return Error{ErrorCode::UnsupportedPlatform, std::string("floating-point environment: ") + nameOf(fault),
+                 "", std::nullopt,
+                 "restore the default floating-point mode and build without fast-math options"};
 }
 
 }  // namespace mesher

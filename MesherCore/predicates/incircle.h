@@ -12,9 +12,9 @@ namespace mesher {
 
 namespace detail {
 
-/// The determinant in plain double arithmetic and what bounds its error. It is evaluated as a comparison of the
-/// angles under which c and d see the chord ab, which takes fewer operations than the lifted determinant and is
-/// algebraically the same.
+/// The determinant in plain double arithmetic and what bounds its error. It is evaluated as a comparison of
+/// the angles under which c and d see the chord ab, which takes fewer operations than the lifted determinant
+/// and is algebraically the same.
 struct IncircleEstimate
 {
     Vec2 ca;
@@ -24,9 +24,13 @@ struct IncircleEstimate
     double determinant;
 
     IncircleEstimate(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
-        : ca(a - c), cb(b - c), da(a - d), db(b - d),
+        : ca(a - c),
+          cb(b - c),
+          da(a - d),
+          db(b - d),
           determinant(dot(ca, cb) * cross(da, db) - cross(ca, cb) * dot(da, db))
-    {}
+    {
+    }
 
     [[nodiscard]] double errorBound() const
     {
@@ -44,9 +48,10 @@ struct IncircleEstimate
 Sign incircleExact(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 Sign incirclePerturbation(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
-/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate, and
-/// then so does the determinant.
-inline Sign incircleFiltered(const IncircleEstimate& estimate, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate,
+/// and then so does the determinant.
+inline Sign incircleFiltered(const IncircleEstimate& estimate, const Vec2& a, const Vec2& b, const Vec2& c,
+                             const Vec2& d)
 {
     const double bound = estimate.errorBound();
     if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
@@ -58,10 +63,11 @@ inline Sign incircleFiltered(const IncircleEstimate& estimate, const Vec2& a, co
 
 /// Place of d with respect to the circle through a, b, c; exact.
 ///
-/// Sign       for counter-clockwise a, b, c positive iff d is strictly inside; for clockwise ones the opposite
+/// Sign       for counter-clockwise a, b, c positive iff d is strictly inside; for clockwise ones the
+///            opposite
 /// Laws       zero iff the points lie on one circle or line; swapping any two of the four flips the sign
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign incircle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     const detail::IncircleEstimate estimate(a, b, c, d);
@@ -82,11 +88,11 @@ inline Sign incircleFiltered(const IncircleEstimate& estimate, const Vec2& a, co
 /// triangulation it defines is unique.
 ///
 /// Sign       that of `incircle` where it is not zero; else of the first non-zero term, going from the
-///            lexicographically largest point to the smallest: for d the term is -orient2d(a, b, c), for one of
-///            a, b, c it is orient2d(a, b, c) with d in that point's place
+///            lexicographically largest point to the smallest: for d the term is -orient2d(a, b, c), for one
+///            of a, b, c it is orient2d(a, b, c) with d in that point's place
 /// Laws       zero iff all four points are collinear or two of them coincide; swapping any two flips the sign
 /// Requires   as `incircle`
-/// Reference  [DevillersTeillaud2011] section 3
+/// Reference  [devillers2011] section 3
 [[nodiscard]] inline Sign incirclePerturbed(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     const Sign sign = incircle(a, b, c, d);

@@ -13,9 +13,9 @@ namespace mesher {
 
 namespace detail {
 
-/// The determinant in plain double arithmetic and what bounds its error. With the points relative to e and their
-/// lifts, it is (|a|^2 b - |b|^2 a) . (c x d) + (|c|^2 d - |d|^2 c) . (a x b): two halves of one shape, which are
-/// computed side by side.
+/// The determinant in plain double arithmetic and what bounds its error. With the points relative to e and
+/// their lifts, it is (|a|^2 b - |b|^2 a) . (c x d) + (|c|^2 d - |d|^2 c) . (a x b): two halves of one shape,
+/// which are computed side by side.
 struct InsphereEstimate
 {
     VectorPair ac;
@@ -25,9 +25,13 @@ struct InsphereEstimate
     double determinant;
 
     InsphereEstimate(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
-        : ac(relative(a, c, e)), bd(relative(b, d, e)), liftAC(squaredLength(ac)), liftBD(squaredLength(bd)),
+        : ac(relative(a, c, e)),
+          bd(relative(b, d, e)),
+          liftAC(squaredLength(ac)),
+          liftBD(squaredLength(bd)),
           determinant(evaluate())
-    {}
+    {
+    }
 
     [[nodiscard]] static VectorPair relative(const Vec3& p, const Vec3& q, const Vec3& e)
     {
@@ -69,9 +73,10 @@ struct InsphereEstimate
 Sign insphereExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 Sign inspherePerturbation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate, and
-/// then so does the determinant.
-inline Sign insphereFiltered(const InsphereEstimate& estimate, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate,
+/// and then so does the determinant.
+inline Sign insphereFiltered(const InsphereEstimate& estimate, const Vec3& a, const Vec3& b, const Vec3& c,
+                             const Vec3& d, const Vec3& e)
 {
     const double bound = estimate.errorBound();
     if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
@@ -87,7 +92,7 @@ inline Sign insphereFiltered(const InsphereEstimate& estimate, const Vec3& a, co
 ///            oriented ones the opposite
 /// Laws       zero iff the points lie on one sphere or plane; swapping any two of the five flips the sign
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
 {
     const detail::InsphereEstimate estimate(a, b, c, d, e);
@@ -108,11 +113,11 @@ inline Sign insphereFiltered(const InsphereEstimate& estimate, const Vec3& a, co
 /// triangulation it defines is unique.
 ///
 /// Sign       that of `insphere` where it is not zero; else of the first non-zero term, going from the
-///            lexicographically largest point to the smallest: for e the term is -orient3d(a, b, c, d), for one
-///            of a, b, c, d it is orient3d(a, b, c, d) with e in that point's place
+///            lexicographically largest point to the smallest: for e the term is -orient3d(a, b, c, d), for
+///            one of a, b, c, d it is orient3d(a, b, c, d) with e in that point's place
 /// Laws       zero iff all five points are coplanar or two of them coincide; swapping any two flips the sign
 /// Requires   as `insphere`
-/// Reference  [DevillersTeillaud2011] section 3
+/// Reference  [devillers2011] section 3
 [[nodiscard]] inline Sign inspherePerturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                                             const Vec3& e)
 {

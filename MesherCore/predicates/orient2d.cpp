@@ -4,10 +4,11 @@
 #include "predicates/coordinate_range.h"
 #include "predicates/exact_tiers.h"
 #include "predicates/expansion_determinants.h"
+#include "predicates/flat_coordinates.h"
 #include "predicates/integer_determinants.h"
 #include "predicates/short_coordinates.h"
 
-#include <array>
+#include <algorithm>
 
 namespace mesher::detail {
 
@@ -23,20 +24,20 @@ std::optional<Sign> orient2dShort(const Vec2& a, const Vec2& b, const Vec2& c)
     const Orient2dEstimate estimate(a, b, c);
     const Vec2 largest = estimate.largestDifferences();
     const double difference = std::max(largest.x, largest.y);
-    if (!areShort(std::array<double, 6>{a.x, a.y, b.x, b.y, c.x, c.y}, difference, kShortBits)) return std::nullopt;
+    if (!areShort(flatCoordinates(a, b, c), difference, kShortBits)) return std::nullopt;
     return signOf(estimate.determinant);
 }
 
 std::optional<Sign> orient2dInteger64(const Vec2& a, const Vec2& b, const Vec2& c)
 {
-    const auto grid = toGrid64(std::array<double, 6>{a.x, a.y, b.x, b.y, c.x, c.y});
+    const auto grid = toGrid64(flatCoordinates(a, b, c));
     if (!grid) return std::nullopt;
     return gridOrient2d(*grid);
 }
 
 std::optional<Sign> orient2dInteger128(const Vec2& a, const Vec2& b, const Vec2& c)
 {
-    const auto grid = toGrid128(std::array<double, 6>{a.x, a.y, b.x, b.y, c.x, c.y});
+    const auto grid = toGrid128(flatCoordinates(a, b, c));
     if (!grid) return std::nullopt;
     return gridOrient2d(*grid);
 }

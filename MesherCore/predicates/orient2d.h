@@ -19,7 +19,10 @@ struct Orient2dEstimate
     Vec2 v;
     double determinant;
 
-    Orient2dEstimate(const Vec2& a, const Vec2& b, const Vec2& c) : u(b - a), v(c - a), determinant(cross(u, v)) {}
+    Orient2dEstimate(const Vec2& a, const Vec2& b, const Vec2& c)
+        : u(b - a), v(c - a), determinant(cross(u, v))
+    {
+    }
 
     [[nodiscard]] double errorBound() const
     {
@@ -35,8 +38,8 @@ struct Orient2dEstimate
 
 Sign orient2dExact(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate, and
-/// then so does the determinant.
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate,
+/// and then so does the determinant.
 inline Sign orient2dFiltered(const Orient2dEstimate& estimate, const Vec2& a, const Vec2& b, const Vec2& c)
 {
     const double bound = estimate.errorBound();
@@ -52,7 +55,7 @@ inline Sign orient2dFiltered(const Orient2dEstimate& estimate, const Vec2& a, co
 /// Sign       positive iff a, b, c turn counter-clockwise
 /// Laws       zero iff the points are collinear; swapping two points flips the sign; rotating them keeps it
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c)
 {
     const detail::Orient2dEstimate estimate(a, b, c);

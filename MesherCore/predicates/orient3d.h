@@ -22,7 +22,8 @@ struct Orient3dEstimate
 
     Orient3dEstimate(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
         : u(b - a), v(c - a), w(d - a), determinant(dot(u, cross(v, w)))
-    {}
+    {
+    }
 
     [[nodiscard]] double errorBound() const
     {
@@ -40,9 +41,10 @@ struct Orient3dEstimate
 
 Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate, and
-/// then so does the determinant.
-inline Sign orient3dFiltered(const Orient3dEstimate& estimate, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate,
+/// and then so does the determinant.
+inline Sign orient3dFiltered(const Orient3dEstimate& estimate, const Vec3& a, const Vec3& b, const Vec3& c,
+                             const Vec3& d)
 {
     const double bound = estimate.errorBound();
     if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
@@ -57,7 +59,7 @@ inline Sign orient3dFiltered(const Orient3dEstimate& estimate, const Vec3& a, co
 /// Sign       positive iff a, b, c turn counter-clockwise as seen from d
 /// Laws       zero iff the points are coplanar; swapping two points flips the sign
 /// Requires   points in the exact range (coordinate_range.h), a sound floating-point environment
-/// Reference  [Shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
+/// Reference  [shewchuk1997] for the tiers; the exact tiers are our own (exact_tiers.h)
 [[nodiscard]] inline Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const detail::Orient3dEstimate estimate(a, b, c, d);

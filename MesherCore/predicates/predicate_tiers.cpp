@@ -39,8 +39,8 @@ Decision decideExactly(Short byShort, Integer64 byInteger64, Integer128 byIntege
 
 const char* nameOf(Tier tier)
 {
-    constexpr std::array<const char*, kTierCount> names{"static filter", "semi-static filter", "flat",     "short",
-                                                        "integer 64",    "integer 128",        "expansion"};
+    constexpr std::array<const char*, kTierCount> names{
+        "static filter", "semi-static filter", "flat", "short", "integer 64", "integer 128", "expansion"};
     return names[static_cast<std::size_t>(tier)];
 }
 
@@ -51,26 +51,32 @@ Decision decideOrient2d(const StaticFilter2d& filter, const Vec2& a, const Vec2&
     return decideExactly(orient2dShort, orient2dInteger64, orient2dInteger128, orient2dExpansion, a, b, c);
 }
 
-Decision decideIncircle(const StaticFilter2d& filter, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+Decision decideIncircle(const StaticFilter2d& filter, const Vec2& a, const Vec2& b, const Vec2& c,
+                        const Vec2& d)
 {
     using namespace detail;
-    if (const auto decision = decideByFilters(IncircleEstimate(a, b, c, d), filter.incircle)) return *decision;
+    if (const auto decision = decideByFilters(IncircleEstimate(a, b, c, d), filter.incircle))
+        return *decision;
     return decideExactly(incircleShort, incircleInteger64, incircleInteger128, incircleExpansion, a, b, c, d);
 }
 
-Decision decideOrient3d(const StaticFilter3d& filter, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+Decision decideOrient3d(const StaticFilter3d& filter, const Vec3& a, const Vec3& b, const Vec3& c,
+                        const Vec3& d)
 {
     using namespace detail;
-    if (const auto decision = decideByFilters(Orient3dEstimate(a, b, c, d), filter.orient3d)) return *decision;
+    if (const auto decision = decideByFilters(Orient3dEstimate(a, b, c, d), filter.orient3d))
+        return *decision;
     return decideExactly(orient3dShort, orient3dInteger64, orient3dInteger128, orient3dExpansion, a, b, c, d);
 }
 
-Decision decideInsphere(const StaticFilter3d& filter, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
-                        const Vec3& e)
+Decision decideInsphere(const StaticFilter3d& filter, const Vec3& a, const Vec3& b, const Vec3& c,
+                        const Vec3& d, const Vec3& e)
 {
     using namespace detail;
-    if (const auto decision = decideByFilters(InsphereEstimate(a, b, c, d, e), filter.insphere)) return *decision;
-    return decideExactly(insphereShort, insphereInteger64, insphereInteger128, insphereExpansion, a, b, c, d, e);
+    if (const auto decision = decideByFilters(InsphereEstimate(a, b, c, d, e), filter.insphere))
+        return *decision;
+    return decideExactly(insphereShort, insphereInteger64, insphereInteger128, insphereExpansion, a, b, c, d,
+                         e);
 }
 
 }  // namespace mesher

@@ -8,8 +8,8 @@
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/predicate_tiers.h"
-#include "support/degenerate_points.h"
 #include "support/exact_oracle.h"
+#include "support/predicate_points.h"
 
 #include <array>
 #include <charconv>
@@ -23,7 +23,7 @@
 namespace {
 
 using namespace mesher;
-using namespace mesher::testing;
+using namespace mesher::test;
 
 constexpr std::array<const char*, 4> kPredicateNames{"orient2d", "incircle", "orient3d", "insphere"};
 constexpr std::uint64_t kMostReports = 20;
@@ -51,7 +51,8 @@ public:
             checkSpace();
             if ((i + 1) % 1000000 == 0) {
                 std::fprintf(stderr, "%s: %llu cases, %llu mismatches\n", kindName(),
-                             static_cast<unsigned long long>(i + 1), static_cast<unsigned long long>(mismatches_));
+                             static_cast<unsigned long long>(i + 1),
+                             static_cast<unsigned long long>(mismatches_));
             }
         }
         print();
@@ -94,7 +95,8 @@ private:
         expect(insphere(filter, p[0], p[1], p[2], p[3], p[4]) == sphere, "insphere, filtered");
         const Sign perturbed = isPerturbationDue(sphere) ? oracle.perturbedSphere() : sphere;
         expect(inspherePerturbed(p[0], p[1], p[2], p[3], p[4]) == perturbed, "inspherePerturbed");
-        expect(inspherePerturbed(filter, p[0], p[1], p[2], p[3], p[4]) == perturbed, "inspherePerturbed, filtered");
+        expect(inspherePerturbed(filter, p[0], p[1], p[2], p[3], p[4]) == perturbed,
+               "inspherePerturbed, filtered");
     }
 
     /// The perturbation may matter only for a zero; a hundredth of the other cases checks that it does not.
@@ -120,10 +122,11 @@ private:
 
     void print() const
     {
-        std::printf("{\"kind\": \"%s\", \"seed\": %llu, \"from\": %llu, \"cases\": %llu, \"mismatches\": %llu",
-                    kindName(), static_cast<unsigned long long>(options_.seed),
-                    static_cast<unsigned long long>(options_.from), static_cast<unsigned long long>(options_.cases),
-                    static_cast<unsigned long long>(mismatches_));
+        std::printf(
+            "{\"kind\": \"%s\", \"seed\": %llu, \"from\": %llu, \"cases\": %llu, \"mismatches\": %llu",
+            kindName(), static_cast<unsigned long long>(options_.seed),
+            static_cast<unsigned long long>(options_.from), static_cast<unsigned long long>(options_.cases),
+            static_cast<unsigned long long>(mismatches_));
         for (std::size_t predicate = 0; predicate < kPredicateNames.size(); ++predicate) {
             std::printf(", \"%s\": {\"zero\": %llu", kPredicateNames[predicate],
                         static_cast<unsigned long long>(zeros_[predicate]));
@@ -137,7 +140,10 @@ private:
         std::fflush(stdout);
     }
 
-    [[nodiscard]] const char* kindName() const { return kPointKindNames[static_cast<std::size_t>(kind_)].data(); }
+    [[nodiscard]] const char* kindName() const
+    {
+        return kPointKindNames[static_cast<std::size_t>(kind_)].data();
+    }
 
     PointKind kind_;
     const Options& options_;
@@ -161,7 +167,8 @@ std::uint64_t numberOf(std::string_view text)
 {
     std::uint64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size()) refuse("not a number: " + std::string(text));
+    if (error != std::errc() || end != text.data() + text.size())
+        refuse("not a number: " + std::string(text));
     return number;
 }
 
@@ -172,14 +179,18 @@ Options readOptions(const std::vector<std::string_view>& arguments)
         const std::string_view name = arguments[i];
         if (i + 1 == arguments.size()) refuse("no value for " + std::string(name));
         const std::string_view value = arguments[i + 1];
-        if (name == "--cases") options.cases = numberOf(value);
-        else if (name == "--seed") options.seed = numberOf(value);
-        else if (name == "--from") options.from = numberOf(value);
+        if (name == "--cases")
+            options.cases = numberOf(value);
+        else if (name == "--seed")
+            options.seed = numberOf(value);
+        else if (name == "--from")
+            options.from = numberOf(value);
         else if (name == "--kind") {
             const auto kind = pointKindOf(value);
             if (!kind) refuse("unknown kind " + std::string(value));
             options.kinds = {*kind};
-        } else refuse("unknown option " + std::string(name));
+        } else
+            refuse("unknown option " + std::string(name));
     }
     return options;
 }

@@ -12,10 +12,11 @@
 #include <cstdint>
 #include <vector>
 
-/// The predicates over again in GMP integers, from their geometric meaning and by formulas that the library does
-/// not use: relative to the first point, with the centre of the sphere by Cramer's rule. The perturbed versions
-/// raise the lifts by true powers of a number that exceeds every quotient of minors, instead of by symbols.
-namespace mesher::testing {
+/// The predicates over again in GMP integers, from their geometric meaning and by formulas that the library
+/// does not use: relative to the first point, with the centre of the sphere by Cramer's rule. The perturbed
+/// versions raise the lifts by true powers of a number that exceeds every quotient of minors, instead of by
+/// symbols.
+namespace mesher::test {
 
 /// Coordinates as integers in units of the finest bit among them.
 class IntegerPoints
@@ -143,12 +144,15 @@ private:
 
     [[nodiscard]] mpz_class simplexDeterminant() const
     {
-        if constexpr (Dimension == 3) return determinant(rows_[0], rows_[1], rows_[2]);
-        else return determinant(rows_[0], rows_[1]);
+        if constexpr (Dimension == 3)
+            return determinant(rows_[0], rows_[1], rows_[2]);
+        else
+            return determinant(rows_[0], rows_[1]);
     }
 
-    /// The sphere through the first points is |x|^2 = 2 k x, where Cramer's rule gives 2 k in units of one over
-    /// the simplex' determinant; the last point s is inside iff 2 k s - |s|^2 > 0 for a positive determinant.
+    /// The sphere through the first points is |x|^2 = 2 k x, where Cramer's rule gives 2 k in units of one
+    /// over the simplex' determinant; the last point s is inside iff 2 k s - |s|^2 > 0 for a positive
+    /// determinant.
     [[nodiscard]] Sign sphereOf(const std::vector<mpz_class>& lifts) const
     {
         const Row& last = rows_[Dimension];
@@ -159,8 +163,10 @@ private:
                 columns[i] = rows_[i];
                 columns[i][k] = lifts[i];
             }
-            if constexpr (Dimension == 3) sum += last[k] * determinant(columns[0], columns[1], columns[2]);
-            else sum += last[k] * determinant(columns[0], columns[1]);
+            if constexpr (Dimension == 3)
+                sum += last[k] * determinant(columns[0], columns[1], columns[2]);
+            else
+                sum += last[k] * determinant(columns[0], columns[1]);
         }
         return signOf(sum);
     }
@@ -173,4 +179,4 @@ private:
 using ExactOracle2d = ExactOracle<2, Vec2>;
 using ExactOracle3d = ExactOracle<3, Vec3>;
 
-}  // namespace mesher::testing
+}  // namespace mesher::test

@@ -1,5 +1,5 @@
-// Speed of the four predicates beside CGAL's Epick kernel on the same points, in one program so that the ratios
-// do not depend on the load of the machine.
+// Speed of the four predicates beside CGAL's Epick kernel on the same points, in one program so that the
+// ratios do not depend on the load of the machine.
 
 #include "base/box.h"
 #include "base/random.h"
@@ -163,10 +163,12 @@ void registerFor(const std::string& predicate, Make make, Plain plain, Filtered 
         std::vector<decltype(toEpick(sets.front()))> peerSets;
         for (const Set& set : sets) peerSets.push_back(toEpick(set));
         const std::string name = predicate + "/" + kind + "/";
-        benchmark::RegisterBenchmark((name + "ours").c_str(), [=](benchmark::State& s) { run(s, sets, plain); });
+        benchmark::RegisterBenchmark((name + "ours").c_str(),
+                                     [=](benchmark::State& s) { run(s, sets, plain); });
         benchmark::RegisterBenchmark((name + "filter").c_str(),
                                      [=](benchmark::State& s) { run(s, sets, filtered); });
-        benchmark::RegisterBenchmark((name + "epick").c_str(), [=](benchmark::State& s) { run(s, peerSets, peer); });
+        benchmark::RegisterBenchmark((name + "epick").c_str(),
+                                     [=](benchmark::State& s) { run(s, peerSets, peer); });
     }
 }
 
@@ -176,13 +178,17 @@ void registerAll()
     const auto filter3 = mesher::StaticFilter3d::forBox({{0, 0, 0}, {1, 1, 1}});
     const auto filter2 = mesher::StaticFilter2d::forBox({{0, 0}, {1, 1}});
     registerFor<Points3>(
-        "orient3d", makePlanarPoints3, [](const Points3& p) { return mesher::orient3d(p[0], p[1], p[2], p[3]); },
+        "orient3d", makePlanarPoints3,
+        [](const Points3& p) { return mesher::orient3d(p[0], p[1], p[2], p[3]); },
         [=](const Points3& p) { return mesher::orient3d(filter3, p[0], p[1], p[2], p[3]); },
         [](const auto& p) { return Epick().orientation_3_object()(p[0], p[1], p[2], p[3]); });
     registerFor<Points3>(
-        "insphere", makePoints3, [](const Points3& p) { return mesher::insphere(p[0], p[1], p[2], p[3], p[4]); },
+        "insphere", makePoints3,
+        [](const Points3& p) { return mesher::insphere(p[0], p[1], p[2], p[3], p[4]); },
         [=](const Points3& p) { return mesher::insphere(filter3, p[0], p[1], p[2], p[3], p[4]); },
-        [](const auto& p) { return Epick().side_of_oriented_sphere_3_object()(p[0], p[1], p[2], p[3], p[4]); });
+        [](const auto& p) {
+            return Epick().side_of_oriented_sphere_3_object()(p[0], p[1], p[2], p[3], p[4]);
+        });
     registerFor<Points2>(
         "orient2d", makeLinearPoints2, [](const Points2& p) { return mesher::orient2d(p[0], p[1], p[2]); },
         [=](const Points2& p) { return mesher::orient2d(filter2, p[0], p[1], p[2]); },

@@ -18,7 +18,8 @@ TEST(Error, LeavesOutWhatIsUnknown)
 {
     EXPECT_EQ(describe({ErrorCode::Unreadable, "no such file", {}, {}, {}}), "no such file.");
     EXPECT_EQ(describe({ErrorCode::Unreadable, "no such file", "a.bin", {}, {}}), "a.bin: no such file.");
-    EXPECT_EQ(describe({ErrorCode::OutOfRange, "too large", {}, Vec3{1, 2, 3}, {}}), "at (1, 2, 3): too large.");
+    EXPECT_EQ(describe({ErrorCode::OutOfRange, "too large", {}, Vec3{1, 2, 3}, {}}),
+              "at (1, 2, 3): too large.");
 }
 
 TEST(Error, FallsBackToTheNameOfTheCodeWithoutAMessage)

@@ -114,7 +114,8 @@ public:
 private:
     std::list<std::pair<std::uint32_t, int>>::iterator find(std::uint32_t key)
     {
-        return std::find_if(items_.begin(), items_.end(), [key](const auto& item) { return item.first == key; });
+        return std::find_if(items_.begin(), items_.end(),
+                            [key](const auto& item) { return item.first == key; });
     }
 
     std::list<std::pair<std::uint32_t, int>> items_;

@@ -51,7 +51,8 @@ TEST(Result, ChainsStepsUntilTheFirstError)
     EXPECT_EQ(stepsRun, 2);
 
     const Result<int> stopped = Result<int>(6).andThen(half).andThen(half).andThen(half);
-    EXPECT_FALSE(stopped.hasValue());
+    ASSERT_FALSE(stopped.hasValue());
+    EXPECT_EQ(stopped.error().message, "too large");
     EXPECT_EQ(stepsRun, 4);
 }
 

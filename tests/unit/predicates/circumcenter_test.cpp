@@ -13,7 +13,8 @@ TEST(Circumcenter, OfRightSimplicesIsExact)
 {
     EXPECT_EQ(approximateCircumcenter(Vec2{1, 1}, Vec2{3, 1}, Vec2{1, 5}), (Vec2{2, 3}));
     EXPECT_EQ(approximateCircumcenter(Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{0, 0, 4}), (Vec3{1, 0, 2}));
-    EXPECT_EQ(approximateCircumcenter(Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{0, 4, 0}, Vec3{0, 0, 6}), (Vec3{1, 2, 3}));
+    EXPECT_EQ(approximateCircumcenter(Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{0, 4, 0}, Vec3{0, 0, 6}),
+              (Vec3{1, 2, 3}));
 }
 
 TEST(Circumcenter, OfFlatElementsIsNothing)

@@ -50,7 +50,8 @@ TEST(PowerOfTwoScaling, IsExactBothWaysForModelsOfAnySize)
     for (const double size : {1e-300, 1e-12, 1.0, 1e3, 1e300}) {
         std::vector<Vec3> points;
         for (int i = 0; i < 1000; ++i) {
-            points.push_back({size * random.between(-1, 1), size * random.between(-1, 1), size * random.unit()});
+            points.push_back(
+                {size * random.between(-1, 1), size * random.between(-1, 1), size * random.unit()});
         }
         const auto scaling = PowerOfTwoScaling::forPoints(points);
         ASSERT_TRUE(scaling);

@@ -30,7 +30,8 @@ template <std::size_t Limbs>
 mpz_class toGmp(const FixedInteger<Limbs>& a)
 {
     mpz_class value = 0;
-    for (std::size_t i = Limbs; i-- > 0;) value = (value << 64) + mpz_class(static_cast<unsigned long>(a.limb(i)));
+    for (std::size_t i = Limbs; i-- > 0;)
+        value = (value << 64) + mpz_class(static_cast<unsigned long>(a.limb(i)));
     if (a.isNegative()) value -= mpz_class(1) << (64 * Limbs);
     return value;
 }
@@ -137,8 +138,9 @@ TEST(Expansion, SumsAndScalesExactly)
 {
     Random random(3);
     const auto coordinate = [&random] {
-        return random.below(5) == 0 ? double(random.below(3)) - 1.0
-                                    : std::ldexp(random.between(-1, 1), static_cast<int>(random.below(100)) - 50);
+        return random.below(5) == 0
+                   ? double(random.below(3)) - 1.0
+                   : std::ldexp(random.between(-1, 1), static_cast<int>(random.below(100)) - 50);
     };
     for (int i = 0; i < 5000; ++i) {
         const double p = coordinate(), q = coordinate(), r = coordinate(), s = coordinate(), t = coordinate();

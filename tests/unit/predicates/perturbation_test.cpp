@@ -3,7 +3,7 @@
 #include "predicates/insphere.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
-#include "support/degenerate_points.h"
+#include "support/predicate_points.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@
 namespace mesher {
 namespace {
 
-using testing::makePointSets;
-using testing::PointKind;
+using test::makePointSets;
+using test::PointKind;
 
 Sign perturbed(const std::vector<Vec2>& p) { return incirclePerturbed(p[0], p[1], p[2], p[3]); }
 Sign perturbed(const std::vector<Vec3>& p) { return inspherePerturbed(p[0], p[1], p[2], p[3], p[4]); }
@@ -73,9 +73,11 @@ bool areFlat(const std::vector<Vec3>& p)
 
 TEST(Perturbation, IsAntisymmetric)
 {
-    for (const PointKind kind : {PointKind::Grid, PointKind::Cospherical, PointKind::Coplanar, PointKind::Ulp}) {
+    for (const PointKind kind :
+         {PointKind::Grid, PointKind::Cospherical, PointKind::Coplanar, PointKind::Ulp}) {
         for (std::uint64_t i = 0; i < 500; ++i) {
-            SCOPED_TRACE(std::string(testing::kPointKindNames[static_cast<std::size_t>(kind)]) + std::to_string(i));
+            SCOPED_TRACE(std::string(test::kPointKindNames[static_cast<std::size_t>(kind)]) +
+                         std::to_string(i));
             const auto sets = makePointSets(kind, 5, i);
             expectAntisymmetry(sets.plane);
             expectAntisymmetry(sets.space);
@@ -117,8 +119,8 @@ TEST(Perturbation, PutsTheLargestPointOutside)
     EXPECT_EQ(inspherePerturbed({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}), Sign::Negative);
 }
 
-// Brute-force Delaunay triangulations: all simplices that are empty under a test. Indices ascend within each, up to
-// one swap that makes the orientation positive.
+// Brute-force Delaunay triangulations: all simplices that are empty under a test. Indices ascend within each,
+// up to one swap that makes the orientation positive.
 
 using Triangle = std::array<std::size_t, 3>;
 using Tet = std::array<std::size_t, 4>;
@@ -155,7 +157,8 @@ std::vector<Triangle> emptyTriangles(const std::vector<Vec2>& p, IsInside isInsi
             for (std::size_t c = b + 1; c < n; ++c) {
                 const Sign orientation = orient2d(p[a], p[b], p[c]);
                 if (orientation == Sign::Zero) continue;
-                const Triangle triangle = orientation == Sign::Positive ? Triangle{a, b, c} : Triangle{b, a, c};
+                const Triangle triangle =
+                    orientation == Sign::Positive ? Triangle{a, b, c} : Triangle{b, a, c};
                 bool isEmpty = true;
                 for (std::size_t d = 0; d < n && isEmpty; ++d) {
                     const bool isOwn = std::find(triangle.begin(), triangle.end(), d) != triangle.end();
@@ -196,8 +199,8 @@ double total(const Simplices& simplices, const Points& points, Measure measure)
     return sum;
 }
 
-/// The hull's volume from a triangulation of another kind: the regular one of heights so random that no five lifted
-/// points lie in one hyperplane. All numbers are integers below 2^53.
+/// The hull's volume from a triangulation of another kind: the regular one of heights so random that no five
+/// lifted points lie in one hyperplane. All numbers are integers below 2^53.
 double hullVolume(const std::vector<Vec3>& p, Random& random)
 {
     std::vector<double> height;
@@ -217,7 +220,8 @@ double hullArea(const std::vector<Vec2>& p, Random& random)
     for (std::size_t i = 0; i < p.size(); ++i) height.push_back(double(random.below(1u << 30)));
     const auto triangles = emptyTriangles(p, [&](const Triangle& t, std::size_t d) {
         const Vec2 u = p[t[1]] - p[t[0]], v = p[t[2]] - p[t[0]], s = p[d] - p[t[0]];
-        const double atD = (height[t[1]] - height[t[0]]) * cross(s, v) + (height[t[2]] - height[t[0]]) * cross(u, s);
+        const double atD =
+            (height[t[1]] - height[t[0]]) * cross(s, v) + (height[t[2]] - height[t[0]]) * cross(u, s);
         return (height[d] - height[t[0]]) * cross(u, v) < atD;
     });
     return total(triangles, p, areaOf);
@@ -240,15 +244,17 @@ void expectFacetsOnce(const std::vector<Vec3>& p, const std::vector<Tet>& tets)
 }
 
 template <class Point, std::size_t N>
-std::set<std::vector<std::array<double, 3>>> asPointSets(const std::vector<Point>& p,
-                                                         const std::vector<std::array<std::size_t, N>>& simplices)
+std::set<std::vector<std::array<double, 3>>>
+asPointSets(const std::vector<Point>& p, const std::vector<std::array<std::size_t, N>>& simplices)
 {
     std::set<std::vector<std::array<double, 3>>> result;
     for (const auto& simplex : simplices) {
         std::vector<std::array<double, 3>> corners;
         for (const std::size_t i : simplex) {
-            if constexpr (requires { p[i].z; }) corners.push_back({p[i].x, p[i].y, p[i].z});
-            else corners.push_back({p[i].x, p[i].y, 0.0});
+            if constexpr (requires { p[i].z; })
+                corners.push_back({p[i].x, p[i].y, p[i].z});
+            else
+                corners.push_back({p[i].x, p[i].y, 0.0});
         }
         std::sort(corners.begin(), corners.end());
         result.insert(corners);

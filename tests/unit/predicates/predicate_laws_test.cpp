@@ -3,7 +3,7 @@
 #include "predicates/insphere.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
-#include "support/degenerate_points.h"
+#include "support/predicate_points.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@
 namespace mesher {
 namespace {
 
-using testing::kPointKindCount;
-using testing::makePointSets;
-using testing::PointKind;
+using test::kPointKindCount;
+using test::makePointSets;
+using test::PointKind;
 
 constexpr std::uint64_t kSeed = 11;
 constexpr std::uint64_t kSets = 2000;
@@ -37,7 +37,7 @@ void forAllSets(Check check)
 {
     for (std::size_t kind = 0; kind < kPointKindCount; ++kind) {
         for (std::uint64_t i = 0; i < kSets; ++i) {
-            SCOPED_TRACE(std::string(testing::kPointKindNames[kind]) + " " + std::to_string(i));
+            SCOPED_TRACE(std::string(test::kPointKindNames[kind]) + " " + std::to_string(i));
             const auto sets = makePointSets(static_cast<PointKind>(kind), kSeed, i);
             check(sets.plane);
             check(sets.space);
@@ -92,7 +92,8 @@ TEST(PredicateLaws, RotatingThreePointsKeepsTheOrientation)
 
 TEST(PredicateLaws, ScalingByAPowerOfTwoChangesNothing)
 {
-    for (const PointKind kind : {PointKind::Random, PointKind::Grid, PointKind::Cospherical, PointKind::Coplanar}) {
+    for (const PointKind kind :
+         {PointKind::Random, PointKind::Grid, PointKind::Cospherical, PointKind::Coplanar}) {
         for (std::uint64_t i = 0; i < kSets; ++i) {
             const auto sets = makePointSets(kind, kSeed, i);
             for (const double factor : {0x1p-30, 0x1p-7, 0x1p60}) {

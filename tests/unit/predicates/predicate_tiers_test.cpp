@@ -4,8 +4,8 @@
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/predicate_tiers.h"
-#include "support/degenerate_points.h"
 #include "support/exact_oracle.h"
+#include "support/predicate_points.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 namespace mesher {
 namespace {
 
-using testing::kPointKindCount;
-using testing::makePointSets;
-using testing::PointKind;
+using test::kPointKindCount;
+using test::makePointSets;
+using test::PointKind;
 
 /// Odd and of 49 bits: three such factors do not fit a double.
 constexpr double kLong = 0x1.23456789012bp48;
@@ -131,7 +131,7 @@ TEST(PredicateTiers, IntegerTiersRefuseWhatDoesNotFit)
 void expectAgreement(const std::vector<Vec2>& p)
 {
     using namespace detail;
-    const testing::ExactOracle2d oracle(p);
+    const test::ExactOracle2d oracle(p);
     const Sign orientation = oracle.orientation();
     ASSERT_EQ(orient2dShort(p[0], p[1], p[2]).value_or(orientation), orientation);
     ASSERT_EQ(orient2dInteger64(p[0], p[1], p[2]).value_or(orientation), orientation);
@@ -148,7 +148,7 @@ void expectAgreement(const std::vector<Vec2>& p)
 void expectAgreement(const std::vector<Vec3>& p)
 {
     using namespace detail;
-    const testing::ExactOracle3d oracle(p);
+    const test::ExactOracle3d oracle(p);
     const Sign orientation = oracle.orientation();
     ASSERT_EQ(orient3dShort(p[0], p[1], p[2], p[3]).value_or(orientation), orientation);
     ASSERT_EQ(orient3dInteger64(p[0], p[1], p[2], p[3]).value_or(orientation), orientation);
@@ -167,7 +167,7 @@ TEST(PredicateTiers, Agree)
 {
     for (std::size_t kind = 0; kind < kPointKindCount; ++kind) {
         for (std::uint64_t i = 0; i < 5000; ++i) {
-            SCOPED_TRACE(std::string(testing::kPointKindNames[kind]) + " " + std::to_string(i));
+            SCOPED_TRACE(std::string(test::kPointKindNames[kind]) + " " + std::to_string(i));
             const auto sets = makePointSets(static_cast<PointKind>(kind), 3, i);
             expectAgreement(sets.plane);
             expectAgreement(sets.space);

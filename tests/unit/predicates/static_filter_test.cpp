@@ -44,7 +44,8 @@ TEST(StaticFilter, OfAFlatBoxLeavesZerosToTheOtherTiers)
     const auto filter = StaticFilter3d::forBox({{0, 0, 1}, {1, 1, 1}});
     EXPECT_EQ(filter.orient3d, 0.0);
     EXPECT_EQ(orient3d(filter, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}), Sign::Zero);
-    EXPECT_EQ(inspherePerturbed(filter, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0.3, 0.4, 1}), Sign::Zero);
+    EXPECT_EQ(inspherePerturbed(filter, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0.3, 0.4, 1}),
+              Sign::Zero);
 }
 
 TEST(StaticFilter, DoesNotChangeSignsOnItsBorder)

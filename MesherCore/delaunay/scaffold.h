@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/vec.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mesher {
+
+/// How the octree that places scaffold points is refined.
+struct ScaffoldOptions
+{
+    /// A cell with more points is split. Ratio to the local spacing h of a surface sample: a cell of edge s has about
+    /// (s/h)² points, so 36 keeps a scaffold point 3 h away from the surface. Range 4 to 10,000.
+    std::uint32_t pointsPerCell = 36;
+    /// Splits at most this deep; 21 levels fill a 64-bit key.
+    std::uint32_t maxLevel = 20;
+};
+
+/// Points to insert together with a sample of surfaces, so that its Delaunay tetrahedralization has few tetrahedra:
+/// without them the vertices of a surface see far across the empty space on both sides, and cavities are large.
+/// The points lie near the centres of the empty cells of a graded octree around the sample.
+///
+/// Guarantees   none nearer to the sample than 0.4 of its cell's edge; cells next to the sample are those that hold at most
+///              pointsPerCell points of it; neighbouring cells differ by a factor of two at most; deterministic
+/// Cost         n log n; for a surface sample about 7 % further points
+std::vector<Vec3> scaffoldPoints(std::span<const Vec3> points, const ScaffoldOptions& options = {});
+
+/// Whether the points fill surfaces or curves rather than a volume: by how the number of occupied cells grows from one
+/// octree level to the next (4 for a surface, 8 for a volume; the line is drawn at 2^2.5).
+bool isSurfaceLike(std::span<const Vec3> points);
+
+}  // namespace mesher

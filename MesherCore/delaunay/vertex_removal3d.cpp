@@ -1,0 +1,149 @@
+#include "delaunay/vertex_removal3d.h"
+
+#include "delaunay/delaunay3d.h"
+
+#include <algorithm>
+
+namespace mesher {
+
+namespace {
+
+/// The same oriented face whatever corner it starts with.
+std::array<VertexId, 3> smallestFirst(const std::array<VertexId, 3>& face)
+{
+    if (face[0] < face[1] && face[0] < face[2]) return face;
+    if (face[1] < face[2]) return {face[1], face[2], face[0]};
+    return {face[2], face[0], face[1]};
+}
+
+}  // namespace
+
+VertexRemoval3d::VertexRemoval3d(Triangulation3d& mesh) : mesh_(mesh), replacement_(mesh) {}
+
+VertexRemoval3d::~VertexRemoval3d() = default;
+
+VertexHole3d VertexRemoval3d::find(VertexId vertex)
+{
+    vertex_ = vertex;
+    mesh_.collectStar(vertex, star_);
+    if (isOnConstraint()) return VertexHole3d::OnConstraint;
+    collectHole();
+    filling_.clear();
+    triangulateCorners();
+    if (local_->dimension() < 3) {
+        const bool hasOthers = std::any_of(holeFaces_.begin(), holeFaces_.end(), [&](const HoleFace& face) {
+            return !isGhost(face.corner[2]) && !mesh_.isGhostTet(face.outer.tet());
+        });
+        if (!hasOthers) return VertexHole3d::WholeSpace;
+        fillFlatHole();
+        return VertexHole3d::Ready;
+    }
+    return fillFromDelaunay() ? VertexHole3d::Ready : VertexHole3d::Untriangulable;
+}
+
+bool VertexRemoval3d::isOnConstraint() const
+{
+    for (const TetId tet : star_) {
+        const std::uint16_t flags = mesh_.flags(tet);
+        if ((flags & tet_flag::kConstraints) == 0) continue;
+        const int slot = mesh_.slotOf(tet, vertex_);
+        for (int other = 0; other < 4; ++other) {
+            if (other == slot) continue;
+            if ((flags & tet_flag::face(other)) != 0) return true;
+            if ((flags & tet_flag::edge(kEdgeOfSlots[slot][other])) != 0) return true;
+        }
+    }
+    return false;
+}
+
+void VertexRemoval3d::collectHole()
+{
+    holeFaces_.clear();
+    corners_.clear();
+    for (const TetId tet : star_) {
+        const int slot = mesh_.slotOf(tet, vertex_);
+        const auto face = mesh_.faceVertices({tet, slot});
+        holeFaces_.push_back({smallestFirst(face), mesh_.neighbour(tet, slot)});
+        for (const VertexId corner : face) {
+            if (!isGhost(corner)) corners_.push_back(corner);
+        }
+    }
+    std::sort(holeFaces_.begin(), holeFaces_.end(),
+              [](const HoleFace& a, const HoleFace& b) { return a.corner < b.corner; });
+    std::sort(corners_.begin(), corners_.end());
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+}
+
+void VertexRemoval3d::triangulateCorners()
+{
+    if (!local_) {
+        local_ = std::make_unique<Delaunay3d>();
+    } else {
+        local_->clear();
+    }
+    Box3 box;
+    for (const VertexId corner : corners_) box.include(mesh_.position(corner));
+    local_->expectPointsIn(box);
+    for (const VertexId corner : corners_) local_->insertTrusted(mesh_.position(corner));
+}
+
+/// The hole of a vertex whose neighbours are coplanar has no volume: the faces below become hull facets.
+void VertexRemoval3d::fillFlatHole()
+{
+    for (const HoleFace& face : holeFaces_) {
+        if (isGhost(face.corner[2])) continue;
+        filling_.push_back({face.corner[0], face.corner[1], face.corner[2], kGhostVertex});
+    }
+}
+
+std::uint32_t VertexRemoval3d::findHoleFace(const std::array<VertexId, 3>& corner) const
+{
+    const auto found =
+        std::lower_bound(holeFaces_.begin(), holeFaces_.end(), corner,
+                         [](const HoleFace& face, const std::array<VertexId, 3>& key) { return face.corner < key; });
+    if (found == holeFaces_.end() || found->corner != corner) return kNone;
+    return static_cast<std::uint32_t>(found - holeFaces_.begin());
+}
+
+bool VertexRemoval3d::fillFromDelaunay()
+{
+    const Triangulation3d& local = local_->triangulation();
+    const auto original = [&](VertexId v) { return isGhost(v) ? v : corners_[v.value]; };
+    isBounded_.assign(std::size_t{local.tetLimit()} * 4, 0);
+    isInside_.assign(local.tetLimit(), 0);
+    queue_.clear();
+    std::size_t matched = 0;
+    for (std::uint32_t i = 0; i < local.tetLimit(); ++i) {
+        if (!local.isAlive(TetId(i))) continue;
+        for (int face = 0; face < 4; ++face) {
+            const auto [a, b, c] = local.faceVertices({TetId(i), face});
+            if (findHoleFace(smallestFirst({original(a), original(b), original(c)})) == kNone) continue;
+            ++matched;
+            isBounded_[i * 4 + static_cast<std::uint32_t>(face)] = 1;
+            if (isInside_[i] == 0) queue_.push_back(TetId(i));
+            isInside_[i] = 1;
+        }
+    }
+    if (matched != holeFaces_.size()) return false;
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
+        const TetRecord& record = local.tet(queue_[next]);
+        filling_.push_back({original(record.vertex[0]), original(record.vertex[1]), original(record.vertex[2]),
+                            original(record.vertex[3])});
+        for (unsigned face = 0; face < 4; ++face) {
+            const TetId other = record.neighbour[face].tet();
+            if (isBounded_[queue_[next].value * 4 + face] != 0 || isInside_[other.value] != 0) continue;
+            isInside_[other.value] = 1;
+            queue_.push_back(other);
+        }
+    }
+    return true;
+}
+
+TetId VertexRemoval3d::commit()
+{
+    const TetId created = replacement_.replace(star_, filling_);
+    mesh_.removeVertex(vertex_);
+    return created;
+}
+
+}  // namespace mesher
