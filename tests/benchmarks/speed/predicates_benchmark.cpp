@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "predicates/incircle.h"
 #include "predicates/insphere.h"
+#include "predicates/insphere_vectorised.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 
@@ -14,7 +15,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -139,6 +142,24 @@ std::array<Epick::Point_2, 4> toEpick(const Points2& p)
     return points;
 }
 
+/// The filter of the box of all points, as the kernel makes it for the whole model.
+mesher::StaticFilter3d filterOf(const std::vector<Points3>& sets)
+{
+    mesher::Box3 box;
+    for (const Points3& set : sets) {
+        for (const Vec3& p : set) box.include(p);
+    }
+    return mesher::StaticFilter3d::forBox(box);
+}
+mesher::StaticFilter2d filterOf(const std::vector<Points2>& sets)
+{
+    mesher::Box2 box;
+    for (const Points2& set : sets) {
+        for (const Vec2& p : set) box.include(p);
+    }
+    return mesher::StaticFilter2d::forBox(box);
+}
+
 template <class Sets, class Predicate>
 void run(benchmark::State& state, const Sets& sets, Predicate predicate)
 {
@@ -166,7 +187,9 @@ void registerFor(const std::string& predicate, Make make, Plain plain, Filtered 
         benchmark::RegisterBenchmark((name + "ours").c_str(),
                                      [=](benchmark::State& s) { run(s, sets, plain); });
         benchmark::RegisterBenchmark((name + "filter").c_str(),
-                                     [=](benchmark::State& s) { run(s, sets, filtered); });
+                                     [=, filter = filterOf(sets)](benchmark::State& s) {
+                                         run(s, sets, [&](const Set& set) { return filtered(filter, set); });
+                                     });
         benchmark::RegisterBenchmark((name + "epick").c_str(),
                                      [=](benchmark::State& s) { run(s, peerSets, peer); });
     }
@@ -174,29 +197,56 @@ void registerFor(const std::string& predicate, Make make, Plain plain, Filtered 
 
 void registerAll()
 {
-    // The kernel makes its filter for the whole model; the degenerate data reaches up to 6.4.
-    const auto filter3 = mesher::StaticFilter3d::forBox({{0, 0, 0}, {1, 1, 1}});
-    const auto filter2 = mesher::StaticFilter2d::forBox({{0, 0}, {1, 1}});
     registerFor<Points3>(
         "orient3d", makePlanarPoints3,
         [](const Points3& p) { return mesher::orient3d(p[0], p[1], p[2], p[3]); },
-        [=](const Points3& p) { return mesher::orient3d(filter3, p[0], p[1], p[2], p[3]); },
+        [](const auto& filter, const Points3& p) { return mesher::orient3d(filter, p[0], p[1], p[2], p[3]); },
         [](const auto& p) { return Epick().orientation_3_object()(p[0], p[1], p[2], p[3]); });
     registerFor<Points3>(
         "insphere", makePoints3,
         [](const Points3& p) { return mesher::insphere(p[0], p[1], p[2], p[3], p[4]); },
-        [=](const Points3& p) { return mesher::insphere(filter3, p[0], p[1], p[2], p[3], p[4]); },
+        [](const auto& filter, const Points3& p) {
+            return mesher::insphere(filter, p[0], p[1], p[2], p[3], p[4]);
+        },
         [](const auto& p) {
             return Epick().side_of_oriented_sphere_3_object()(p[0], p[1], p[2], p[3], p[4]);
         });
     registerFor<Points2>(
         "orient2d", makeLinearPoints2, [](const Points2& p) { return mesher::orient2d(p[0], p[1], p[2]); },
-        [=](const Points2& p) { return mesher::orient2d(filter2, p[0], p[1], p[2]); },
+        [](const auto& filter, const Points2& p) { return mesher::orient2d(filter, p[0], p[1], p[2]); },
         [](const auto& p) { return Epick().orientation_2_object()(p[0], p[1], p[2]); });
     registerFor<Points2>(
         "incircle", makePoints2, [](const Points2& p) { return mesher::incircle(p[0], p[1], p[2], p[3]); },
-        [=](const Points2& p) { return mesher::incircle(filter2, p[0], p[1], p[2], p[3]); },
+        [](const auto& filter, const Points2& p) { return mesher::incircle(filter, p[0], p[1], p[2], p[3]); },
         [](const auto& p) { return Epick().side_of_oriented_circle_2_object()(p[0], p[1], p[2], p[3]); });
+}
+
+/// The 256-bit estimate with its static filter, as the cavity search of the 3D kernel calls it.
+void registerVectorised(Data data, const std::string& kind)
+{
+    struct alignas(32) Aligned
+    {
+        Vec3 position;
+    };
+    std::vector<std::array<Aligned, 5>> sets;
+    const auto plainSets = makeSets<Points3>(makePoints3, data);
+    for (const Points3& points : plainSets) {
+        sets.emplace_back();
+        for (std::size_t i = 0; i < 5; ++i) sets.back()[i].position = points[i];
+    }
+    const auto filter = filterOf(plainSets);
+    const auto predicate = [filter](const std::array<Aligned, 5>& p) {
+        const auto estimate = mesher::insphereEstimateVectorised(
+            &p[0].position.x, &p[1].position.x, &p[2].position.x, &p[3].position.x, &p[4].position.x);
+        const double magnitude = std::abs(estimate.determinant);
+        if (magnitude > filter.insphere || magnitude > estimate.errorBound()) {
+            return mesher::signOfNonZero(estimate.determinant);
+        }
+        return mesher::insphere(filter, p[0].position, p[1].position, p[2].position, p[3].position,
+                                p[4].position);
+    };
+    benchmark::RegisterBenchmark(("insphere/" + kind + "/avx2").c_str(),
+                                 [=](benchmark::State& s) { run(s, sets, predicate); });
 }
 
 }  // namespace
@@ -204,6 +254,10 @@ void registerAll()
 int main(int argc, char** argv)
 {
     registerAll();
+    if (mesher::canVectoriseInsphere()) {
+        registerVectorised(Data::Uniform, "uniform");
+        registerVectorised(Data::Cluster, "cluster");
+    }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();
