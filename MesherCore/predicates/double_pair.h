@@ -1,12 +1,25 @@
 #pragma once
 
+#include "base/vec.h"
+
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 /// Two doubles that are computed with as one vector register, on every target of gcc and clang.
 namespace mesher::detail {
 
 typedef double DoublePair __attribute__((vector_size(16)));
+static_assert(offsetof(Vec3, x) == 0 && offsetof(Vec3, y) == sizeof(double));
 
+/// The first two coordinates, which lie side by side in memory.
+inline DoublePair loadXY(const Vec3& p)
+{
+    DoublePair pair;
+    std::memcpy(&pair, &p, sizeof pair);
+    return pair;
+}
+inline DoublePair both(double a) { return DoublePair{a, a}; }
 inline DoublePair swapped(DoublePair a) { return DoublePair{a[1], a[0]}; }
 inline DoublePair absolute(DoublePair a) { return DoublePair{std::abs(a[0]), std::abs(a[1])}; }
 inline DoublePair maximum(DoublePair a, DoublePair b) { return a > b ? a : b; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "predicates/double_pair.h"
 #include "predicates/error_bounds.h"
 #include "predicates/sign.h"
 #include "predicates/static_filter.h"
@@ -12,17 +13,36 @@ namespace mesher {
 
 namespace detail {
 
-/// The determinant in plain double arithmetic and what bounds its error.
+/// The determinant in plain double arithmetic and what bounds its error. The three positive products of the rule
+/// of Sarrus are summed in one half of a vector register and the three negative ones in the other.
 struct Orient3dEstimate
 {
-    Vec3 u;
-    Vec3 v;
-    Vec3 w;
+    DoublePair uXY;
+    DoublePair vXY;
+    DoublePair wXY;
+    double uZ;
+    double vZ;
+    double wZ;
     double determinant;
 
     Orient3dEstimate(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
-        : u(b - a), v(c - a), w(d - a), determinant(dot(u, cross(v, w)))
+        : uXY(loadXY(b) - loadXY(a)),
+          vXY(loadXY(c) - loadXY(a)),
+          wXY(loadXY(d) - loadXY(a)),
+          uZ(b.z - a.z),
+          vZ(c.z - a.z),
+          wZ(d.z - a.z),
+          determinant(evaluate())
     {
+    }
+
+    [[nodiscard]] double evaluate() const
+    {
+        const DoublePair uvw = both(uZ) * (vXY * swapped(wXY));
+        const DoublePair vwu = both(vZ) * (wXY * swapped(uXY));
+        const DoublePair wuv = both(wZ) * (uXY * swapped(vXY));
+        const DoublePair halves = uvw + vwu + wuv;
+        return halves[0] - halves[1];
     }
 
     [[nodiscard]] double errorBound() const
@@ -33,9 +53,8 @@ struct Orient3dEstimate
     /// Per axis.
     [[nodiscard]] Vec3 largestDifferences() const
     {
-        return {std::max(std::max(std::abs(u.x), std::abs(v.x)), std::abs(w.x)),
-                std::max(std::max(std::abs(u.y), std::abs(v.y)), std::abs(w.y)),
-                std::max(std::max(std::abs(u.z), std::abs(v.z)), std::abs(w.z))};
+        const DoublePair xy = maximum(maximum(absolute(uXY), absolute(vXY)), absolute(wXY));
+        return {xy[0], xy[1], std::max(std::max(std::abs(uZ), std::abs(vZ)), std::abs(wZ))};
     }
 };
 
