@@ -80,14 +80,20 @@ private:
 
     void step()
     {
-        // The number of vertices swings between none and a few hundred.
+        // The number of vertices swings between none and a few hundred; beyond, constraints are given free as well, or
+        // the vertices they hold would only become more.
+        constexpr std::size_t kMany = 500;
         const double phase = std::sin(static_cast<double>(done_) * 0.0007);
+        const bool isCrowded = labels_.size() > kMany;
+        const std::uint32_t insertBelow = isCrowded ? 5 : static_cast<std::uint32_t>(42.0 + 30.0 * phase);
+        const std::uint32_t constrainBelow = isCrowded ? 60 : 95;
+        const std::uint32_t removeBelow = isCrowded ? 59 : 84;
         const std::uint32_t dice = random_.below(100);
-        if (labels_.empty() || dice < static_cast<std::uint32_t>(42.0 + 30.0 * phase))
+        if (labels_.empty() || dice < insertBelow)
             insert();
-        else if (dice < 84)
+        else if (dice < removeBelow)
             remove();
-        else if (dice < 95)
+        else if (dice < constrainBelow)
             constrain();
         else if (dice < 98)
             unconstrain();
