@@ -69,9 +69,15 @@ class Round
 {
 public:
     Round(std::string kind, std::uint64_t seed, const Options& options, Counts& counts)
-        : kind_(std::move(kind)), seed_(seed), options_(options), counts_(counts), random_(seed),
-          delaunay_(seed), places_(placesOf(kind_, 3 * std::size_t{options.size}, random_))
-    {}
+        : kind_(std::move(kind)),
+          seed_(seed),
+          options_(options),
+          counts_(counts),
+          random_(seed),
+          delaunay_(seed),
+          places_(placesOf(kind_, 3 * std::size_t{options.size}, random_))
+    {
+    }
 
     void run(std::uint64_t operations)
     {
@@ -95,7 +101,8 @@ private:
     [[noreturn]] void fail(const std::string& what) const
     {
         std::fprintf(stderr, "delaunay3d_fuzz: kind %s, seed %llu, operation %llu: %s\n", kind_.c_str(),
-                     static_cast<unsigned long long>(seed_), static_cast<unsigned long long>(done_), what.c_str());
+                     static_cast<unsigned long long>(seed_), static_cast<unsigned long long>(done_),
+                     what.c_str());
         std::exit(1);
     }
 
@@ -109,7 +116,8 @@ private:
         const Result<Insertion3d> result = delaunay_.insert(place);
         if (!result) fail(describe(result.error()));
         if (isKnown) {
-            if (result->status != InsertionStatus::Duplicate || result->vertex != *known) fail("a duplicate went in");
+            if (result->status != InsertionStatus::Duplicate || result->vertex != *known)
+                fail("a duplicate went in");
             ++counts_.duplicates;
             return;
         }
@@ -157,7 +165,8 @@ private:
                 const TetFace other = mesh.neighbour(tet, face);
                 if (mesh.neighbour(other) != TetFace(tet, face)) fail("a link is not symmetric");
                 const VertexId apex = mesh.vertex(other.tet(), other.face());
-                if (!isGhost(apex) && isInside(tet, mesh.position(apex))) fail("a face is not locally Delaunay");
+                if (!isGhost(apex) && isInside(tet, mesh.position(apex)))
+                    fail("a face is not locally Delaunay");
             }
         }
     }
@@ -175,7 +184,8 @@ private:
         const Triangulation3d& mesh = delaunay_.triangulation();
         const auto& v = mesh.tet(tet).vertex;
         if (mesh.isGhostTet(tet)) {
-            return orient3d(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]), point) == Sign::Positive;
+            return orient3d(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]), point) ==
+                   Sign::Positive;
         }
         return inspherePerturbed(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]),
                                  mesh.position(v[3]), point) == Sign::Positive;
@@ -199,7 +209,8 @@ private:
         RunContext context;
         if (!anew.insertPoints(points, {}, context)) fail("the points were refused");
         if (anew.dimension() != delaunay_.dimension()) fail("another dimension than made anew");
-        if (meshHash3d(anew.triangulation()) != meshHash3d(mesh)) fail("another triangulation than made anew");
+        if (meshHash3d(anew.triangulation()) != meshHash3d(mesh))
+            fail("another triangulation than made anew");
         if (random_.below(4) == 0) compactAll();
     }
 
@@ -235,15 +246,21 @@ Options parse(int count, char** arguments)
         if (i + 1 >= count) showUsage();
         const char* value = arguments[i + 1];
         const std::string name = arguments[i];
-        if (name == "--operations") options.operations = std::strtoull(value, nullptr, 10);
-        else if (name == "--seed") options.seed = std::strtoull(value, nullptr, 10);
-        else if (name == "--size") options.size = static_cast<std::uint32_t>(std::strtoul(value, nullptr, 10));
-        else if (name == "--check-every") options.checkEvery = std::strtoull(value, nullptr, 10);
-        else if (name == "--kind") options.kind = value;
-        else showUsage();
+        if (name == "--operations")
+            options.operations = std::strtoull(value, nullptr, 10);
+        else if (name == "--seed")
+            options.seed = std::strtoull(value, nullptr, 10);
+        else if (name == "--size")
+            options.size = static_cast<std::uint32_t>(std::strtoul(value, nullptr, 10));
+        else if (name == "--check-every")
+            options.checkEvery = std::strtoull(value, nullptr, 10);
+        else if (name == "--kind")
+            options.kind = value;
+        else
+            showUsage();
     }
-    const bool isKnown = options.kind == "all" || std::find(std::begin(kKinds), std::end(kKinds), options.kind) !=
-                                                      std::end(kKinds);
+    const bool isKnown = options.kind == "all" ||
+                         std::find(std::begin(kKinds), std::end(kKinds), options.kind) != std::end(kKinds);
     if (!isKnown || options.size < 8 || options.checkEvery == 0) showUsage();
     return options;
 }
@@ -266,7 +283,8 @@ int main(int argumentCount, char** arguments)
                 "\"below_dimension_3\": %llu, \"full_checks\": %llu, \"failures\": 0}\n",
                 options.kind.c_str(), static_cast<unsigned long long>(options.seed),
                 static_cast<unsigned long long>(seed), static_cast<unsigned long long>(counts.operations),
-                static_cast<unsigned long long>(counts.insertions), static_cast<unsigned long long>(counts.duplicates),
+                static_cast<unsigned long long>(counts.insertions),
+                static_cast<unsigned long long>(counts.duplicates),
                 static_cast<unsigned long long>(counts.removals),
                 static_cast<unsigned long long>(counts.flatOperations),
                 static_cast<unsigned long long>(counts.fullChecks));

@@ -30,7 +30,8 @@ std::vector<Vec3> configurationPoints(Random& random)
         const bool isGrid = kind == 1 || (kind == 2 && random.below(2) == 0);
         const std::uint32_t width = isGrid ? 4 : 4096;
         const double spacing = isGrid ? 1024.0 : 1.0;
-        points.push_back({spacing * random.below(width), spacing * random.below(width), spacing * random.below(width)});
+        points.push_back(
+            {spacing * random.below(width), spacing * random.below(width), spacing * random.below(width)});
     }
     return points;
 }
@@ -61,11 +62,11 @@ public:
             const std::map<std::uint32_t, double> volumes = regionVolumes();
             changesHull_ = false;
             switch (random_.below(8)) {
-            case 0: flipFace(); break;
-            case 1:
-            case 2: flipEdge(); break;
-            case 3: removeVertex(); break;
-            default: insertPoint(); break;
+                case 0: flipFace(); break;
+                case 1:
+                case 2: flipEdge(); break;
+                case 3: removeVertex(); break;
+                default: insertPoint(); break;
             }
             checkState(volumes);
         }
@@ -186,10 +187,14 @@ private:
         const std::uint64_t before = stateHash(mesh());
         std::optional<Flip3d> flip;
         std::string name;
-        if ((flip = evaluateFlip32(mesh(), tet, edge))) name = "flip 3-2";
-        else if ((flip = evaluateFlip22(mesh(), tet, edge))) name = "flip 2-2";
-        else if ((flip = evaluateFlip44(mesh(), tet, edge, static_cast<int>(random_.below(2))))) name = "flip 4-4";
-        else if ((flip = evaluateEdgeRemoval(mesh(), tet, edge, measureOf))) name = "edge removal";
+        if ((flip = evaluateFlip32(mesh(), tet, edge)))
+            name = "flip 3-2";
+        else if ((flip = evaluateFlip22(mesh(), tet, edge)))
+            name = "flip 2-2";
+        else if ((flip = evaluateFlip44(mesh(), tet, edge, static_cast<int>(random_.below(2)))))
+            name = "flip 4-4";
+        else if ((flip = evaluateEdgeRemoval(mesh(), tet, edge, measureOf)))
+            name = "edge removal";
         EXPECT_EQ(stateHash(mesh()), before);
         if (!flip) return;
         EXPECT_FALSE(model_.hasEdge(a, b));
@@ -212,7 +217,8 @@ private:
         const VertexId vertex = vertices[random_.below(static_cast<std::uint32_t>(vertices.size()))];
         std::vector<TetId> star;
         mesh().collectStar(vertex, star);
-        const bool isOnHull = std::any_of(star.begin(), star.end(), [&](TetId t) { return mesh().isGhostTet(t); });
+        const bool isOnHull =
+            std::any_of(star.begin(), star.end(), [&](TetId t) { return mesh().isGhostTet(t); });
         const std::uint64_t before = stateHash(mesh());
         const bool wasDelaunay = checkDelaunay3d(mesh(), DelaunayScope::Local).isValid();
         const RemovalStatus status = delaunay_.remove(vertex);
@@ -253,7 +259,8 @@ private:
         ASSERT_TRUE(located.hasValue());
         const Location3d location = *located;
         if (location.kind == Location3d::Kind::Vertex) return;
-        const ConstraintPolicy policy = random_.below(2) == 0 ? ConstraintPolicy::Refuse : ConstraintPolicy::Split;
+        const ConstraintPolicy policy =
+            random_.below(2) == 0 ? ConstraintPolicy::Refuse : ConstraintPolicy::Split;
         const std::uint64_t before = stateHash(mesh());
         const bool wasDelaunay = checkDelaunay3d(mesh(), DelaunayScope::Local).isValid();
         const Cavity3d& cavity = delaunay_.findCavity(point, location, policy);
@@ -344,7 +351,8 @@ private:
                 const auto sideOf = [&](const Vec3& p) {
                     return orient3d(mesh().position(a), mesh().position(b), c, p);
                 };
-                EXPECT_NE(sideOf(d), sideOf(mesh().position(point))) << "the cavity is not reflex at the edge";
+                EXPECT_NE(sideOf(d), sideOf(mesh().position(point)))
+                    << "the cavity is not reflex at the edge";
                 ++done["reflex exception"];
             }
         }
@@ -358,7 +366,8 @@ private:
         const auto& v = mesh().tet(tet).vertex;
         const Vec3& p = mesh().position(apex);
         if (mesh().isGhostTet(tet)) {
-            return orient3d(mesh().position(v[0]), mesh().position(v[1]), mesh().position(v[2]), p) != Sign::Positive;
+            return orient3d(mesh().position(v[0]), mesh().position(v[1]), mesh().position(v[2]), p) !=
+                   Sign::Positive;
         }
         return inspherePerturbed(mesh().position(v[0]), mesh().position(v[1]), mesh().position(v[2]),
                                  mesh().position(v[3]), p) != Sign::Positive;
@@ -418,9 +427,9 @@ TEST_P(ConstrainedOperations3d, KeepTopologyConstraintsAndRegions)
     if (share < kConfigurations / kBatches) return;
     for (const char* name :
          {"flip 2-3", "flip 3-2", "flip 4-4", "flip 2-2", "edge removal", "flip 4-4 of a constrained pair",
-          "flip 2-2 of a constrained pair", "removal", "removal blocked", "removal on constraint", "Delaunay removal",
-          "insertion", "insertion with repairs", "insertion on constraint refused", "split",
-          "split with repairs", "Delaunay insertion", "reflex exception"}) {
+          "flip 2-2 of a constrained pair", "removal", "removal blocked", "removal on constraint",
+          "Delaunay removal", "insertion", "insertion with repairs", "insertion on constraint refused",
+          "split", "split with repairs", "Delaunay insertion", "reflex exception"}) {
         EXPECT_GT(done[name], 0) << name << " never happened";
     }
 }

@@ -27,7 +27,10 @@ struct ConstraintModel3d
     }
     static Edge sorted(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
-    [[nodiscard]] bool hasFace(VertexId a, VertexId b, VertexId c) const { return faces.count(sorted({a, b, c})) > 0; }
+    [[nodiscard]] bool hasFace(VertexId a, VertexId b, VertexId c) const
+    {
+        return faces.count(sorted({a, b, c})) > 0;
+    }
     [[nodiscard]] bool hasEdge(VertexId a, VertexId b) const { return edges.count(sorted(a, b)) > 0; }
 
     /// The third vertices of the faces at an edge.
@@ -38,7 +41,8 @@ struct ConstraintModel3d
             const bool hasA = std::count(face.begin(), face.end(), a) > 0;
             const bool hasB = std::count(face.begin(), face.end(), b) > 0;
             if (!hasA || !hasB) continue;
-            apexes.push_back(*std::find_if(face.begin(), face.end(), [&](VertexId v) { return v != a && v != b; }));
+            apexes.push_back(
+                *std::find_if(face.begin(), face.end(), [&](VertexId v) { return v != a && v != b; }));
         }
         return apexes;
     }
@@ -84,7 +88,8 @@ struct ConstraintModel3d
             const TetId tet(i);
             if (!mesh.isAlive(tet)) continue;
             for (int face = 0; face < 4; ++face) {
-                if (mesh.isFaceConstrained({tet, face})) model.faces.insert(sorted(mesh.faceVertices({tet, face})));
+                if (mesh.isFaceConstrained({tet, face}))
+                    model.faces.insert(sorted(mesh.faceVertices({tet, face})));
             }
             for (int edge = 0; edge < 6; ++edge) {
                 if (!mesh.isEdgeConstrained(tet, edge)) continue;

@@ -30,7 +30,8 @@ inline void insertEach(Delaunay3d& delaunay, std::span<const Vec3> points)
     for (const Vec3& p : points) {
         const Result<Insertion3d> result = delaunay.insert(p);
         ASSERT_TRUE(result.hasValue());
-        ASSERT_TRUE(result->status == InsertionStatus::Inserted || result->status == InsertionStatus::Duplicate);
+        ASSERT_TRUE(result->status == InsertionStatus::Inserted ||
+                    result->status == InsertionStatus::Duplicate);
     }
 }
 

@@ -24,7 +24,8 @@ VertexId vertexAt(const Triangulation3d& mesh, const Vec3& place)
 bool isEdgeConstrained(const Triangulation3d& mesh, VertexId a, VertexId b)
 {
     const TetId tet = mesh.findEdge(a, b);
-    return tet.isValid() && mesh.isEdgeConstrained(tet, kEdgeOfSlots[mesh.slotOf(tet, a)][mesh.slotOf(tet, b)]);
+    return tet.isValid() &&
+           mesh.isEdgeConstrained(tet, kEdgeOfSlots[mesh.slotOf(tet, a)][mesh.slotOf(tet, b)]);
 }
 
 bool isFaceConstrained(const Triangulation3d& mesh, VertexId a, VertexId b, VertexId c)
@@ -46,7 +47,8 @@ int constrainedFaceCount(const Triangulation3d& mesh)
 class Square : public testing::Test
 {
 protected:
-    const Vec3 place_[6] = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}, {0.25, 0.5, 3.25}, {-0.5, 0.125, -3.5}};
+    const Vec3 place_[6] = {{-2, -2, 0}, {2, -2, 0},        {2, 2, 0},
+                            {-2, 2, 0},  {0.25, 0.5, 3.25}, {-0.5, 0.125, -3.5}};
 
     Square()
     {
@@ -59,8 +61,14 @@ protected:
         apex_[1] = v_[(diagonal_ + 3) % 4];
     }
     Triangulation3d& mesh() { return delaunay_.triangulation(); }
-    void constrainFace(int i) { mesh().setFaceConstrained(mesh().findFace(end_[0], end_[1], apex_[i]), true); }
-    void constrainEdge(VertexId a, VertexId b) { mesh().setEdgeConstrained(mesh().findEdge(a, b), a, b, true); }
+    void constrainFace(int i)
+    {
+        mesh().setFaceConstrained(mesh().findFace(end_[0], end_[1], apex_[i]), true);
+    }
+    void constrainEdge(VertexId a, VertexId b)
+    {
+        mesh().setEdgeConstrained(mesh().findEdge(a, b), a, b, true);
+    }
     [[nodiscard]] Vec3 centreOf(int i)
     {
         return 0.25 * (mesh().position(end_[0]) + mesh().position(end_[1]) + 2.0 * mesh().position(apex_[i]));
@@ -180,7 +188,8 @@ TEST_F(Square, NamesTheConstraintInTheWay)
 {
     constrainFace(0);
     const Vec3 onFace = centreOf(0);
-    const Cavity3d& byFace = delaunay_.findCavity(onFace, *delaunay_.locate(onFace), ConstraintPolicy::Refuse);
+    const Cavity3d& byFace =
+        delaunay_.findCavity(onFace, *delaunay_.locate(onFace), ConstraintPolicy::Refuse);
     EXPECT_EQ(byFace.status, CavityStatus::BlockedByConstraint);
     EXPECT_TRUE(isFaceConstrained(mesh(), byFace.blocker[0], byFace.blocker[1], byFace.blocker[2]));
     EXPECT_EQ(delaunay_.commit().status, InsertionStatus::Blocked);
@@ -190,10 +199,12 @@ TEST_F(Square, NamesTheConstraintInTheWay)
     constrainEdge(end_[0], end_[1]);
     const Vec3 onEdge = 0.5 * (mesh().position(end_[0]) + mesh().position(end_[1]));
     const std::uint64_t before = stateHash(mesh());
-    const Cavity3d& byEdge = delaunay_.findCavity(onEdge, *delaunay_.locate(onEdge), ConstraintPolicy::Refuse);
+    const Cavity3d& byEdge =
+        delaunay_.findCavity(onEdge, *delaunay_.locate(onEdge), ConstraintPolicy::Refuse);
     EXPECT_EQ(byEdge.status, CavityStatus::BlockedByConstraint);
     EXPECT_FALSE(byEdge.blocker[2].isValid());
-    EXPECT_EQ((std::set<VertexId>{byEdge.blocker[0], byEdge.blocker[1]}), (std::set<VertexId>{end_[0], end_[1]}));
+    EXPECT_EQ((std::set<VertexId>{byEdge.blocker[0], byEdge.blocker[1]}),
+              (std::set<VertexId>{end_[0], end_[1]}));
     EXPECT_EQ(stateHash(mesh()), before);
 }
 
@@ -228,7 +239,8 @@ TEST(Cavity3d, HandsRegionsOn)
     }
     for (const TetId t : liveTets(mesh)) {
         for (int i = 0; i < 4; ++i) {
-            if (mesh.region(t) != mesh.region(mesh.neighbour(t, i).tet())) mesh.setFaceConstrained({t, i}, true);
+            if (mesh.region(t) != mesh.region(mesh.neighbour(t, i).tet()))
+                mesh.setFaceConstrained({t, i}, true);
         }
     }
     ASSERT_TRUE(isSoundTopology(mesh));
@@ -256,7 +268,8 @@ TEST(Cavity3d, GrowsTheHull)
         Delaunay3d delaunay;
         insertAll(delaunay, points);
         // Beyond a facet, in the plane of facets, on the line of an edge, beyond a corner, far.
-        for (const Vec3& p : {Vec3{1, 1, 4}, Vec3{5, 1, 2}, Vec3{6, 2, 2}, Vec3{-3, -3, -3}, Vec3{1e6, 1, 1}}) {
+        for (const Vec3& p :
+             {Vec3{1, 1, 4}, Vec3{5, 1, 2}, Vec3{6, 2, 2}, Vec3{-3, -3, -3}, Vec3{1e6, 1, 1}}) {
             ASSERT_EQ(delaunay.locate(p)->kind, Location3d::Kind::Outside);
             const std::uint64_t before = stateHash(delaunay.triangulation());
             const Cavity3d& cavity = delaunay.findCavity(p, *delaunay.locate(p), ConstraintPolicy::Refuse);
@@ -298,7 +311,8 @@ TEST(Cavity3d, FindsAllCandidatesForEncroachment)
         std::vector<TetFace> faces;
         const std::vector<TetId> tets = finiteTets(mesh);
         for (int i = 0; i < 25; ++i) {
-            const TetFace face(tets[random.below(static_cast<std::uint32_t>(tets.size()))], static_cast<int>(random.below(4)));
+            const TetFace face(tets[random.below(static_cast<std::uint32_t>(tets.size()))],
+                               static_cast<int>(random.below(4)));
             if (mesh.isFaceConstrained(face)) continue;
             mesh.setFaceConstrained(face, true);
             faces.push_back(face);
@@ -315,10 +329,12 @@ TEST(Cavity3d, FindsAllCandidatesForEncroachment)
             }
             for (const TetFace face : faces) {
                 auto corner = mesh.faceVertices(face);
-                const Vec3 a = mesh.position(corner[0]), b = mesh.position(corner[1]), c = mesh.position(corner[2]);
+                const Vec3 a = mesh.position(corner[0]), b = mesh.position(corner[1]),
+                           c = mesh.position(corner[2]);
                 const Vec3 normal = cross(b - a, c - a);
-                const Vec3 centre = a + (0.5 / squaredLength(normal)) * (squaredLength(b - a) * cross(c - a, normal) +
-                                                                         squaredLength(c - a) * cross(normal, b - a));
+                const Vec3 centre =
+                    a + (0.5 / squaredLength(normal)) * (squaredLength(b - a) * cross(c - a, normal) +
+                                                         squaredLength(c - a) * cross(normal, b - a));
                 const double radius = length(a - centre);
                 if (length(p - centre) >= 0.999999 * radius) continue;
                 const bool isInFront = orient3d(a, b, c, p) == Sign::Positive;

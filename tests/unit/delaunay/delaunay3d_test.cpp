@@ -104,12 +104,10 @@ TEST(Delaunay3d, RemovesAllPointsAndStartsAgain)
 
 TEST(Delaunay3d, NamesThePointThatCannotBeUsedAndInsertsNothing)
 {
-    const std::pair<Vec3, ErrorCode> cases[] = {{{0, std::nan(""), 0}, ErrorCode::NonFinitePoint},
-                                                {{kInfinity, 0, 0}, ErrorCode::NonFinitePoint},
-                                                {{0, 0, -kInfinity}, ErrorCode::NonFinitePoint},
-                                                {{0, 0x1p201, 0}, ErrorCode::OutOfRange},
-                                                {{0, 0, 0x1p-201}, ErrorCode::OutOfRange},
-                                                {{5e-324, 0, 0}, ErrorCode::OutOfRange}};
+    const std::pair<Vec3, ErrorCode> cases[] = {
+        {{0, std::nan(""), 0}, ErrorCode::NonFinitePoint}, {{kInfinity, 0, 0}, ErrorCode::NonFinitePoint},
+        {{0, 0, -kInfinity}, ErrorCode::NonFinitePoint},   {{0, 0x1p201, 0}, ErrorCode::OutOfRange},
+        {{0, 0, 0x1p-201}, ErrorCode::OutOfRange},         {{5e-324, 0, 0}, ErrorCode::OutOfRange}};
     for (const auto& [bad, code] : cases) {
         std::vector<Vec3> points = uniformPoints3d(50, 1);
         Delaunay3d delaunay;
@@ -269,7 +267,8 @@ TEST(Delaunay3d, NumbersEverythingAlikeInTwoRuns)
     ASSERT_EQ(first.triangulation().tetLimit(), second.triangulation().tetLimit());
     for (std::uint32_t i = 0; i < first.triangulation().tetLimit(); ++i) {
         ASSERT_EQ(first.triangulation().tet(TetId(i)).vertex, second.triangulation().tet(TetId(i)).vertex);
-        ASSERT_EQ(first.triangulation().tet(TetId(i)).neighbour, second.triangulation().tet(TetId(i)).neighbour);
+        ASSERT_EQ(first.triangulation().tet(TetId(i)).neighbour,
+                  second.triangulation().tet(TetId(i)).neighbour);
     }
 }
 
@@ -284,8 +283,8 @@ TEST(Delaunay3d, TellsHowAPointLiesInATetrahedron)
     EXPECT_EQ(at({0.25, 0.25, 0.25}).kind, Location3d::Kind::Tet);
     EXPECT_EQ(at({0.5, 0.5, 0.5}).kind, Location3d::Kind::Outside);
     EXPECT_TRUE(mesh.isGhostTet(at({0.5, 0.5, 0.5}).tet));
-    EXPECT_EQ(at({2, 0, 0}).kind, Location3d::Kind::Outside);      // on the line of an edge
-    EXPECT_EQ(at({-1, 0.5, 0}).kind, Location3d::Kind::Outside);   // in the plane of a face
+    EXPECT_EQ(at({2, 0, 0}).kind, Location3d::Kind::Outside);     // on the line of an edge
+    EXPECT_EQ(at({-1, 0.5, 0}).kind, Location3d::Kind::Outside);  // in the plane of a face
     for (int i = 0; i < 4; ++i) {
         const Location3d location = at(kCorners[i]);
         ASSERT_EQ(location.kind, Location3d::Kind::Vertex);
@@ -310,11 +309,12 @@ TEST(Delaunay3d, FindsTheSameKindOfPlaceFromEveryHint)
     Delaunay3d delaunay;
     insertAll(delaunay, gridPoints3d(64));
     const std::vector<TetId> tets = liveTets(delaunay.triangulation());
-    for (const Vec3& p : {Vec3{1, 1, 1}, Vec3{1.5, 1.5, 1.5}, Vec3{1.5, 1, 1}, Vec3{-1, 0, 0}, Vec3{3, 3, 3.5},
-                          Vec3{0.25, 0.5, 0.125}}) {
+    for (const Vec3& p : {Vec3{1, 1, 1}, Vec3{1.5, 1.5, 1.5}, Vec3{1.5, 1, 1}, Vec3{-1, 0, 0},
+                          Vec3{3, 3, 3.5}, Vec3{0.25, 0.5, 0.125}}) {
         const Location3d expected = *delaunay.locate(p);
         for (const TetId hint : tets) EXPECT_EQ(delaunay.locate(p, hint)->kind, expected.kind);
-        EXPECT_EQ(delaunay.locate(p, TetId(1u << 29))->kind, expected.kind) << "a hint out of range is ignored";
+        EXPECT_EQ(delaunay.locate(p, TetId(1u << 29))->kind, expected.kind)
+            << "a hint out of range is ignored";
     }
 }
 
@@ -422,7 +422,8 @@ TEST(Delaunay3d, ClearsCompactsAndGoesOn)
     const std::vector<Vec3> points = uniformPoints3d(300, 2);
     Delaunay3d delaunay;
     const BulkInsertion3d result = insertAll(delaunay, points);
-    for (std::size_t i = 0; i < 100; ++i) ASSERT_EQ(delaunay.remove(result.vertex[i]), RemovalStatus::Removed);
+    for (std::size_t i = 0; i < 100; ++i)
+        ASSERT_EQ(delaunay.remove(result.vertex[i]), RemovalStatus::Removed);
     const std::uint64_t before = meshHash3d(delaunay.triangulation());
     const Renumbering3d map = delaunay.compact();
     EXPECT_EQ(delaunay.triangulation().vertexLimit(), 200u);

@@ -222,7 +222,8 @@ TEST_F(DelaunayCheck3d, DetectsAHullThatIsNotConvex)
 {
     const TetId ghost = ghostTet();
     Vec3 middle;
-    for (unsigned i = 0; i < 3; ++i) middle = middle + (1.0 / 3.0) * mesh().position(mesh().tet(ghost).vertex[i]);
+    for (unsigned i = 0; i < 3; ++i)
+        middle = middle + (1.0 / 3.0) * mesh().position(mesh().tet(ghost).vertex[i]);
     const VertexId corner = mesh().tet(ghost).vertex[0];
     // Slightly inwards: the tetrahedra stay positively oriented.
     const Vec3 inwards = Vec3{0.5, 0.5, 0.5} - mesh().position(corner);

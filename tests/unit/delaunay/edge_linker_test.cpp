@@ -20,7 +20,8 @@ std::vector<Facet> hullOf(const std::vector<Vec3>& points)
     const Triangulation3d& mesh = delaunay.triangulation();
     std::vector<Facet> facets;
     for (const TetId tet : liveTets(mesh)) {
-        if (mesh.isGhostTet(tet)) facets.push_back({mesh.vertex(tet, 0), mesh.vertex(tet, 1), mesh.vertex(tet, 2)});
+        if (mesh.isGhostTet(tet))
+            facets.push_back({mesh.vertex(tet, 0), mesh.vertex(tet, 1), mesh.vertex(tet, 2)});
     }
     return facets;
 }
@@ -30,7 +31,8 @@ void expectLinks(EdgeLinker<std::uint32_t>& linker, const std::vector<Facet>& fa
 {
     linker.begin(limit);
     std::vector<std::array<std::uint32_t, 3>> local;
-    for (const Facet& f : facets) local.push_back({linker.number(f[0]), linker.number(f[1]), linker.number(f[2])});
+    for (const Facet& f : facets)
+        local.push_back({linker.number(f[0]), linker.number(f[1]), linker.number(f[2])});
     linker.prepare();
     std::map<std::pair<VertexId, VertexId>, std::uint32_t> expected;
     for (std::uint32_t i = 0; i < facets.size(); ++i) {

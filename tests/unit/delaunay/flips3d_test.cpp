@@ -15,8 +15,8 @@ double minimumVolume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 
 double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    const double sum = squaredLength(b - a) + squaredLength(c - a) + squaredLength(d - a) + squaredLength(c - b) +
-                       squaredLength(d - b) + squaredLength(d - c);
+    const double sum = squaredLength(b - a) + squaredLength(c - a) + squaredLength(d - a) +
+                       squaredLength(c - b) + squaredLength(d - b) + squaredLength(d - c);
     return volumeOf(a, b, c, d) / (sum * std::sqrt(sum));
 }
 
@@ -146,8 +146,8 @@ TEST(Flips3d, RefuseWhatWouldInvertOrFlatten)
         Delaunay3d delaunay;
         insertEach(delaunay, std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {apex.x, apex.y, 1}, apex});
         const Triangulation3d& mesh = delaunay.triangulation();
-        const TetFace face = mesh.findFace(vertexAt(mesh, {0, 0, 0}), vertexAt(mesh, {1, 0, 0}),
-                                           vertexAt(mesh, {0, 1, 0}));
+        const TetFace face =
+            mesh.findFace(vertexAt(mesh, {0, 0, 0}), vertexAt(mesh, {1, 0, 0}), vertexAt(mesh, {0, 1, 0}));
         if (!face.isValid()) continue;
         EXPECT_FALSE(evaluateFlip23(mesh, face).has_value());
         ++refused;
@@ -155,7 +155,8 @@ TEST(Flips3d, RefuseWhatWouldInvertOrFlatten)
     EXPECT_EQ(refused, 3);
     RingFixture fixture(3);
     // A ring whose triangle passes below both ends of the edge.
-    for (const Vec3& p : fixture.ring) fixture.mesh().setPosition(vertexAt(fixture.mesh(), p), p + Vec3{0, 0, -0.5});
+    for (const Vec3& p : fixture.ring)
+        fixture.mesh().setPosition(vertexAt(fixture.mesh(), p), p + Vec3{0, 0, -0.5});
     const EdgeOfTet axis = fixture.axis();
     EXPECT_FALSE(evaluateFlip32(fixture.mesh(), axis.tet, axis.edge).has_value());
     EXPECT_FALSE(evaluateEdgeRemoval(fixture.mesh(), axis.tet, axis.edge, shape).has_value());
@@ -199,7 +200,9 @@ TEST(Flips3d, ReplaceAnEdgeOfFourByEitherDiagonal)
         EXPECT_EQ(mesh.finiteTetCount(), 4u);
         int diagonals = 0;
         for (int i = 0; i < 2; ++i) {
-            diagonals += edgeBetween(mesh, fixture.ring[unsigned(i)], fixture.ring[unsigned(i + 2)]).tet.isValid() ? 1 : 0;
+            diagonals +=
+                edgeBetween(mesh, fixture.ring[unsigned(i)], fixture.ring[unsigned(i + 2)]).tet.isValid() ? 1
+                                                                                                          : 0;
         }
         EXPECT_EQ(diagonals, 1);
     }
@@ -213,7 +216,8 @@ TEST(Flips3d, MoveAConstrainedPairWithinItsPlaneOnly)
         const Vec3 a{-0.1, 0, 0}, b{0.1, 0, 0}, c{0, 1, lift}, d{0, -1, 0}, up{0, 0, 1}, down{0, 0, -1};
         insertEach(delaunay, std::vector<Vec3>{a, b, c, d, up, down});
         Triangulation3d& mesh = delaunay.triangulation();
-        const VertexId va = vertexAt(mesh, a), vb = vertexAt(mesh, b), vc = vertexAt(mesh, c), vd = vertexAt(mesh, d);
+        const VertexId va = vertexAt(mesh, a), vb = vertexAt(mesh, b), vc = vertexAt(mesh, c),
+                       vd = vertexAt(mesh, d);
         ASSERT_TRUE(mesh.findEdge(va, vb).isValid());
         mesh.setFaceConstrained(mesh.findFace(va, vb, vc), true);
         mesh.setFaceConstrained(mesh.findFace(va, vb, vd), true);
@@ -265,7 +269,8 @@ TEST(Flips3d, FlipTheDiagonalOfAHullQuadrilateral)
         if (isConstrained) {
             const VertexId va = vertexAt(mesh, diagonals[first][0]), vb = vertexAt(mesh, diagonals[first][1]);
             mesh.setFaceConstrained(mesh.findFace(va, vb, vertexAt(mesh, diagonals[1 - first][0])), true);
-            EXPECT_FALSE(evaluateFlip22(mesh, edge.tet, edge.edge).has_value()) << "one face alone cannot move";
+            EXPECT_FALSE(evaluateFlip22(mesh, edge.tet, edge.edge).has_value())
+                << "one face alone cannot move";
             mesh.setFaceConstrained(mesh.findFace(va, vb, vertexAt(mesh, diagonals[1 - first][1])), true);
         }
         const std::optional<Flip3d> flip = evaluateFlip22(mesh, edge.tet, edge.edge);
@@ -330,7 +335,8 @@ TEST(Flips3d, RemoveAnEdgeByTheBestOfAllTriangulationsOfItsRing)
                     double worst = 1e300;
                     for (const auto& t : triangles) {
                         const Vec3 &a = fixture.ring[t[0]], &b = fixture.ring[t[1]], &c = fixture.ring[t[2]];
-                        worst = std::min({worst, measure(a, b, c, fixture.top), measure(b, a, c, fixture.bottom)});
+                        worst = std::min(
+                            {worst, measure(a, b, c, fixture.top), measure(b, a, c, fixture.bottom)});
                     }
                     best = std::max(best, worst);
                 }

@@ -24,7 +24,8 @@ Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
     const Vec3 u = b - a;
     const Vec3 v = c - a;
     const Vec3 w = d - a;
-    const Vec3 sum = squaredLength(u) * cross(v, w) + squaredLength(v) * cross(w, u) + squaredLength(w) * cross(u, v);
+    const Vec3 sum =
+        squaredLength(u) * cross(v, w) + squaredLength(v) * cross(w, u) + squaredLength(w) * cross(u, v);
     return a + (0.5 / dot(u, cross(v, w))) * sum;
 }
 
@@ -143,7 +144,9 @@ struct Cells
         const Vec3 low = 0.5 * (box.low + box.high) - 0.5 * Vec3{edge, edge, edge};
         for (const Vec3& p : scaffold) {
             double cell = edge;
-            const auto isHalf = [&](double x) { return std::abs(x / cell - std::floor(x / cell) - 0.5) < 1e-3; };
+            const auto isHalf = [&](double x) {
+                return std::abs(x / cell - std::floor(x / cell) - 0.5) < 1e-3;
+            };
             while (!(isHalf(p.x - low.x) && isHalf(p.y - low.y) && isHalf(p.z - low.z))) cell *= 0.5;
             size.push_back(cell);
         }
@@ -193,7 +196,8 @@ TEST(Scaffold, DependsOnThePointsOnly)
 
 TEST(Scaffold, StaysInTheExactRange)
 {
-    for (const auto& points : {equalPoints3d(100), std::vector<Vec3>(100, Vec3{0, 0, 0}), tinyPoints3d(3000, 1)}) {
+    for (const auto& points :
+         {equalPoints3d(100), std::vector<Vec3>(100, Vec3{0, 0, 0}), tinyPoints3d(3000, 1)}) {
         for (const double scale : {1.0, 0x1p-60}) {
             std::vector<Vec3> scaled = points;
             for (Vec3& p : scaled) p = scale * p;

@@ -89,7 +89,8 @@ TEST(Triangulation3d, KeepsGenerationsApartAcrossCompaction)
     for (int i = 0; i < 20; ++i) note(mesh.allocateTet());
     for (std::uint32_t i = 5; i < 20; ++i) mesh.freeTet(TetId(i));
     for (std::uint32_t i = 0; i < 5; ++i) {
-        for (int face = 0; face < 4; ++face) mesh.tet(TetId(i)).neighbour[unsigned(face)] = TetFace(TetId(i), face);
+        for (int face = 0; face < 4; ++face)
+            mesh.tet(TetId(i)).neighbour[unsigned(face)] = TetFace(TetId(i), face);
     }
     mesh.compact();
     EXPECT_EQ(mesh.tetLimit(), 5u);
@@ -168,7 +169,8 @@ TEST_F(Triangulation3dOfPoints, CollectsStarsAndRingsCompletely)
             ASSERT_EQ(reversed.size(), ring.size());
             for (std::size_t i = 1; i < ring.size(); ++i) EXPECT_EQ(reversed[i], ring[ring.size() - i]);
             std::vector<TetId> expected = liveTets(mesh());
-            std::erase_if(expected, [&](TetId t) { return mesh().slotOf(t, a) < 0 || mesh().slotOf(t, b) < 0; });
+            std::erase_if(expected,
+                          [&](TetId t) { return mesh().slotOf(t, a) < 0 || mesh().slotOf(t, b) < 0; });
             std::sort(ring.begin(), ring.end());
             EXPECT_EQ(ring, expected);
         }
@@ -194,7 +196,8 @@ TEST_F(Triangulation3dOfPoints, KeepsConstraintFlagsEqualInAllCopies)
     }
     EXPECT_TRUE(isSoundTopology(mesh()));
     int flagged = 0;
-    for (const TetId t : liveTets(mesh())) flagged += std::popcount(unsigned(mesh().flags(t) & tet_flag::kConstraints));
+    for (const TetId t : liveTets(mesh()))
+        flagged += std::popcount(unsigned(mesh().flags(t) & tet_flag::kConstraints));
     EXPECT_EQ(flagged, 2 + static_cast<int>(ring.size()));
     mesh().setFaceConstrained(mesh().neighbour(face), false);
     mesh().setEdgeConstrained(ring.back(), b, a, false);
@@ -207,7 +210,8 @@ TEST_F(Triangulation3dOfPoints, KeepsConstraintFlagsEqualInAllCopies)
 TEST_F(Triangulation3dOfPoints, CompactsWithoutGaps)
 {
     std::vector<VertexId> vertices = liveVertices(mesh());
-    for (std::size_t i = 0; i < vertices.size(); i += 3) ASSERT_EQ(delaunay_.remove(vertices[i]), RemovalStatus::Removed);
+    for (std::size_t i = 0; i < vertices.size(); i += 3)
+        ASSERT_EQ(delaunay_.remove(vertices[i]), RemovalStatus::Removed);
     const TetId marked = finiteTets(mesh())[3];
     mesh().setFaceConstrained({marked, 1}, true);
     mesh().setRegion(marked, RegionId(9u));
@@ -223,7 +227,8 @@ TEST_F(Triangulation3dOfPoints, CompactsWithoutGaps)
     EXPECT_TRUE(mesh().isFaceConstrained({moved, 1}));
     EXPECT_EQ(mesh().region(moved), RegionId(9u));
     for (unsigned slot = 0; slot < 4; ++slot) {
-        EXPECT_EQ(mesh().tet(moved).vertex[slot], isGhost(corners[slot]) ? corners[slot] : map.vertex[corners[slot]]);
+        EXPECT_EQ(mesh().tet(moved).vertex[slot],
+                  isGhost(corners[slot]) ? corners[slot] : map.vertex[corners[slot]]);
     }
     for (const auto& [t, generation] : entries) {
         if (t.value >= mesh().tetLimit()) continue;

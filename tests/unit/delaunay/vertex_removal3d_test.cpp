@@ -167,7 +167,8 @@ TEST_F(VertexRemoval3dBesideConstraints, KeepsThoseAroundTheHole)
     EXPECT_TRUE(isSoundTopology(mesh()));
     EXPECT_TRUE(mesh().isFaceConstrained(mesh().findFace(face[0], face[1], face[2])));
     const TetId t = mesh().findEdge(face[0], face[1]);
-    EXPECT_TRUE(mesh().isEdgeConstrained(t, kEdgeOfSlots[mesh().slotOf(t, face[0])][mesh().slotOf(t, face[1])]));
+    EXPECT_TRUE(
+        mesh().isEdgeConstrained(t, kEdgeOfSlots[mesh().slotOf(t, face[0])][mesh().slotOf(t, face[1])]));
     for (const TetId tet : finiteTets(mesh())) EXPECT_EQ(mesh().region(tet), RegionId(3u));
 }
 
@@ -214,7 +215,8 @@ TEST(VertexRemoval3d, KeepsTheTetrahedraThatHoldConstraints)
         Delaunay3d delaunay;
         insertEach(delaunay, points);
         Triangulation3d& mesh = delaunay.triangulation();
-        const VertexId a = vertexAt(mesh, points[0]), b = vertexAt(mesh, points[1]), apex = vertexAt(mesh, points[4]);
+        const VertexId a = vertexAt(mesh, points[0]), b = vertexAt(mesh, points[1]),
+                       apex = vertexAt(mesh, points[4]);
         const TetId tet = mesh.findEdge(a, b);
         if (isFace) {
             for (const TetId t : finiteTets(mesh)) mesh.setFaceConstrained({t, mesh.slotOf(t, apex)}, true);
@@ -222,7 +224,8 @@ TEST(VertexRemoval3d, KeepsTheTetrahedraThatHoldConstraints)
             mesh.setEdgeConstrained(tet, a, b, true);
         }
         const std::uint64_t before = stateHash(mesh);
-        EXPECT_EQ(delaunay.remove(apex), RemovalStatus::Blocked) << "without it no tetrahedron could hold the constraint";
+        EXPECT_EQ(delaunay.remove(apex), RemovalStatus::Blocked)
+            << "without it no tetrahedron could hold the constraint";
         EXPECT_EQ(stateHash(mesh), before);
         EXPECT_EQ(delaunay.dimension(), 3);
     }
