@@ -91,6 +91,7 @@ StopReason Delaunay3d::insertInOrder(std::span<const Vec3> points, std::span<con
         const VertexId vertex = insertTrusted(point, isOwn ? options.classification : scaffoldClass);
         if (isOwn) {
             result.vertex[index] = vertex;
+            if (mesh_.classification(vertex).scaffold != 0) mesh_.setClassification(vertex, options.classification);
             result.duplicates += mesh_.vertexCount() == before ? 1 : 0;
         }
         if (!progress.advance()) return StopReason::Cancelled;

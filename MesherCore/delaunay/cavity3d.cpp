@@ -145,6 +145,7 @@ const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId>
     cavity_.blocker = {};
     cavity_.repairs = 0;
     split_ = split;
+    collectSplitPerimeter(seeds);
     for (const TetId seed : seeds) mark(seed);
     collectConflicts<true>(VertexRecord{point}, filter);
     marked_ = cavity_.tets;
@@ -158,8 +159,6 @@ void CavityOperator3d::finish()
 {
     cavity_.constraints.clear();
     cavity_.constrainedFaces.clear();
-    splitPerimeter_.clear();
-    splitsConstrainedEdge_ = false;
     for (const CavityFace3d& face : cavity_.faces) {
         const TetFace inner = mesh_.neighbour(face.outer);
         CavityFaceConstraints3d carried;
@@ -174,8 +173,15 @@ void CavityOperator3d::finish()
         cavity_.constraints.push_back(carried);
         if (mesh_.isFaceConstrained(face.outer)) cavity_.constrainedFaces.push_back(face.outer);
     }
+}
+
+/// What has to be left of the constraint to be split: all the tetrahedra at it are seeds.
+void CavityOperator3d::collectSplitPerimeter(std::span<const TetId> seeds)
+{
+    splitPerimeter_.clear();
+    splitsConstrainedEdge_ = false;
     if (split_.kind == CavitySplit3d::Kind::None) return;
-    for (const TetId tet : cavity_.tets) {
+    for (const TetId tet : seeds) {
         for (int i = 0; i < 4; ++i) {
             const auto corners = mesh_.faceVertices({tet, i});
             if (!mesh_.isFaceConstrained({tet, i}) || !isSplitFace(corners)) continue;
@@ -192,6 +198,12 @@ void CavityOperator3d::finish()
         const int b = mesh_.slotOf(tet, split_.vertex[1]);
         splitsConstrainedEdge_ |= a >= 0 && b >= 0 && mesh_.isEdgeConstrained(tet, kEdgeOfSlots[a][b]);
     }
+}
+
+bool CavityOperator3d::isSplitPerimeter(VertexId a, VertexId b) const
+{
+    return std::any_of(splitPerimeter_.begin(), splitPerimeter_.end(),
+                       [&](const auto& edge) { return isSameEdge(edge, a, b); });
 }
 
 // --- repair
@@ -228,7 +240,9 @@ void CavityOperator3d::refloodFromSeeds(std::span<const TetId> seeds)
 
 bool CavityOperator3d::repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter)
 {
-    return repairEnclosedFaces(seeds, filter) || repairEnclosedEdges(seeds, filter) || repairVisibility(seeds, filter);
+    if (repairEnclosedFaces(seeds, filter)) return true;
+    if (cavity_.status == CavityStatus::Ready && repairEnclosedEdges(seeds, filter)) return true;
+    return cavity_.status == CavityStatus::Ready && repairVisibility(seeds, filter);
 }
 
 bool CavityOperator3d::takeOut(TetId tet, std::span<const TetId> seeds, CavityStatus reason)
@@ -298,14 +312,15 @@ TetId CavityOperator3d::tetBehindEdge(TetId tet, int edge, const StaticFilter3d&
 bool CavityOperator3d::repairEnclosedEdges(std::span<const TetId> seeds, const StaticFilter3d& filter)
 {
     for (const TetId tet : cavity_.tets) {
-        if ((mesh_.flags(tet) & tet_flag::kEdges) == 0) continue;
+        if ((mesh_.flags(tet) & tet_flag::kEdges) == 0 && splitPerimeter_.empty()) continue;
         for (int edge = 0; edge < 6; ++edge) {
-            if (!mesh_.isEdgeConstrained(tet, edge)) continue;
             const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
             const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
             const bool isSplit = split_.kind == CavitySplit3d::Kind::Edge &&
                                  isSameEdge({split_.vertex[0], split_.vertex[1]}, a, b);
-            if (isSplit || !isEdgeEnclosed(tet, edge)) continue;
+            // The parts of a split face stand on its perimeter, constrained edges or not.
+            const bool isNeeded = mesh_.isEdgeConstrained(tet, edge) || isSplitPerimeter(a, b);
+            if (isSplit || !isNeeded || !isEdgeEnclosed(tet, edge)) continue;
             const TetId behind = tetBehindEdge(tet, edge, filter);
             if (behind.isValid() && takeOut(behind, seeds, CavityStatus::BlockedByConstraint)) return true;
             cavity_.status = CavityStatus::BlockedByConstraint;
@@ -403,9 +418,7 @@ void CavityOperator3d::constrainSplitParts()
         for (int k = 0; k < 3; ++k) {
             const VertexId a = mesh_.vertex(local.tet, (k + 1) % 3 + 1);
             const VertexId b = mesh_.vertex(local.tet, (k + 2) % 3 + 1);
-            const bool isPart = std::any_of(splitPerimeter_.begin(), splitPerimeter_.end(),
-                                            [&](const auto& edge) { return isSameEdge(edge, a, b); });
-            if (isPart) flags |= tet_flag::face(k + 1);
+            if (isSplitPerimeter(a, b)) flags |= tet_flag::face(k + 1);
             const VertexId end = mesh_.vertex(local.tet, k + 1);
             const bool isHalf = splitsConstrainedEdge_ && (end == split_.vertex[0] || end == split_.vertex[1]);
             if (isHalf) flags |= tet_flag::edge(kEdgeOfSlots[0][k + 1]);

@@ -107,6 +107,8 @@ private:
     void prefetchAround(TetId tet) const;
     bool isCrossingForbidden(TetFace face) const;
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
+    bool isSplitPerimeter(VertexId a, VertexId b) const;
+    void collectSplitPerimeter(std::span<const TetId> seeds);
     void addFace(const TetRecord& inner, unsigned face, TetFace outer);
 
     void refloodFromSeeds(std::span<const TetId> seeds);

@@ -6,6 +6,7 @@
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -161,16 +162,45 @@ void Delaunay3d::removePending(VertexId vertex)
 
 // --- insertion
 
+/// Flips are made by others, so the tetrahedron of the last insertion may be gone.
+TetId Delaunay3d::startOfWalk(TetId hint) const
+{
+    const auto isUsable = [&](TetId t) { return t.isValid() && t.value < mesh_.tetLimit() && mesh_.isAlive(t); };
+    if (isUsable(hint)) return hint;
+    if (isUsable(recent_)) return recent_;
+    TetId first(0u);
+    while (!mesh_.isAlive(first)) ++first.value;
+    return first;
+}
+
+bool Delaunay3d::isOnConstraint(const Location3d& location) const
+{
+    if (location.kind == Location3d::Kind::Face) return mesh_.isFaceConstrained({location.tet, location.index});
+    if (location.kind != Location3d::Kind::Edge) return false;
+    if (mesh_.isEdgeConstrained(location.tet, location.index)) return true;
+    const VertexId a = mesh_.vertex(location.tet, kEdgeSlots[location.index][0]);
+    const VertexId b = mesh_.vertex(location.tet, kEdgeSlots[location.index][1]);
+    std::vector<TetId> ring;
+    mesh_.collectEdgeRing(location.tet, a, b, ring);
+    return std::any_of(ring.begin(), ring.end(), [&](TetId tet) {
+        for (int face = 0; face < 4; ++face) {
+            const VertexId opposite = mesh_.vertex(tet, face);
+            if (opposite != a && opposite != b && mesh_.isFaceConstrained({tet, face})) return true;
+        }
+        return false;
+    });
+}
+
 TetId Delaunay3d::placeVertex(VertexId vertex)
 {
-    const TetId found = walk3d(mesh_, mesh_.position(vertex), recent_, filter_, random_);
+    const TetId found = walk3d(mesh_, mesh_.position(vertex), startOfWalk(recent_), filter_, random_);
     return cavities_.insertUnconstrained(vertex, found, filter_);
 }
 
 VertexId Delaunay3d::insertTrusted(const Vec3& point, VertexClass classification)
 {
     if (dimension_ < 3) return insertPending(point, classification);
-    const TetId found = walk3d(mesh_, point, recent_, filter_, random_);
+    const TetId found = walk3d(mesh_, point, startOfWalk(recent_), filter_, random_);
     if (!mesh_.isGhostTet(found)) {
         for (const VertexId v : mesh_.tet(found).vertex) {
             if (mesh_.position(v) == point) return v;
@@ -194,13 +224,15 @@ Result<Insertion3d> Delaunay3d::insert(Vec3 point, TetId hint, ConstraintPolicy 
         const TetId tet = dimension_ == 3 ? mesh_.incidentTet(vertex) : TetId();
         return Insertion3d{isNew ? InsertionStatus::Inserted : InsertionStatus::Duplicate, vertex, tet, {}};
     }
-    const TetId start = hint.isValid() && hint.value < mesh_.tetLimit() && mesh_.isAlive(hint) ? hint : recent_;
-    const TetId found = walk3d(mesh_, point, start, filter_, random_);
+    const TetId found = walk3d(mesh_, point, startOfWalk(hint), filter_, random_);
     const Location3d location = classifyLocation3d(mesh_, point, found, filter_);
     if (location.kind == Location3d::Kind::Vertex) {
         recent_ = location.tet;
         return Insertion3d{InsertionStatus::Duplicate, mesh_.vertex(location.tet, location.index), location.tet,
                            location};
+    }
+    if (policy == ConstraintPolicy::Refuse && isOnConstraint(location)) {
+        return Insertion3d{InsertionStatus::OnConstraint, {}, {}, location};
     }
     findCavity(point, location, policy);
     Insertion3d outcome = commit();
@@ -217,8 +249,7 @@ Result<Location3d> Delaunay3d::locate(Vec3 point, TetId hint)
                      "insert four points that are not coplanar first"};
     }
     expectPointsIn({point, point});
-    const TetId start = hint.isValid() && hint.value < mesh_.tetLimit() && mesh_.isAlive(hint) ? hint : recent_;
-    return classifyLocation3d(mesh_, point, walk3d(mesh_, point, start, filter_, random_), filter_);
+    return classifyLocation3d(mesh_, point, walk3d(mesh_, point, startOfWalk(hint), filter_, random_), filter_);
 }
 
 const Cavity3d& Delaunay3d::findCavity(Vec3 point, const Location3d& location, ConstraintPolicy policy)

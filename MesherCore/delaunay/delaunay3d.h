@@ -94,8 +94,9 @@ Result<void> checkPoint3d(const Vec3& point, std::string_view name);
 ///
 /// Guarantees   without constraints the Delaunay tetrahedralization under the symbolic perturbation of insphere.h, which
 ///              is unique: the same points give the same tetrahedra in whatever order they come (meshHash3d);
-///              with constraints each unconstrained face stays locally Delaunay as long as insertions and removals
-///              alone change it, and constraints are never lost (checkTopology3d, checkDelaunay3d)
+///              constraints are never lost (checkTopology3d). With them each unconstrained face stays locally Delaunay
+///              (checkDelaunay3d) when removals and insertions without a repair alone change it, but for one case: a
+///              face between the new vertex and an edge at which a constrained face ends and the cavity is reflex
 /// Requires     points in the exact range (coordinate_range.h), else an Error; nothing else: duplicates, coplanar and
 ///              cospherical sets, and fewer than four points are ordinary input
 /// Cost         bulk insertion n log n for usual sets; memory see Triangulation3d
@@ -163,6 +164,8 @@ private:
     void removePending(VertexId vertex);
 
     TetId placeVertex(VertexId vertex);
+    TetId startOfWalk(TetId hint) const;
+    bool isOnConstraint(const Location3d& location) const;
     void reserveAfterSample(std::size_t remaining, std::size_t inserted);
     StopReason insertInOrder(std::span<const Vec3> points, std::span<const Vec3> scaffold,
                              const BulkInsertionOptions3d& options, RunContext& context, BulkInsertion3d& result);

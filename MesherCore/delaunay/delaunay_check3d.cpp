@@ -20,11 +20,10 @@ std::string nameOf(TetFace face)
     return "face " + std::to_string(face.face()) + " of " + nameOf(face.tet());
 }
 
-bool haveSameVertices(std::array<VertexId, 3> a, std::array<VertexId, 3> b)
+/// Two tetrahedra on different sides of a face see its vertices in opposite senses.
+bool areOppositeSides(const std::array<VertexId, 3>& a, const std::array<VertexId, 3>& b)
 {
-    std::sort(a.begin(), a.end());
-    std::sort(b.begin(), b.end());
-    return a == b;
+    return a == std::array{b[0], b[2], b[1]} || a == std::array{b[1], b[0], b[2]} || a == std::array{b[2], b[1], b[0]};
 }
 
 bool isPositive(const Triangulation3d& mesh, TetId tet)
@@ -55,8 +54,8 @@ void checkLinks(const Triangulation3d& mesh, TetId tet, CheckReport& report)
             continue;
         }
         if (mesh.neighbour(other) != face) report.add(nameOf(face) + " is not linked back");
-        if (!haveSameVertices(mesh.faceVertices(face), mesh.faceVertices(other))) {
-            report.add(nameOf(face) + " is linked to a face of other vertices");
+        if (!areOppositeSides(mesh.faceVertices(face), mesh.faceVertices(other))) {
+            report.add(nameOf(face) + " is linked to a face of other vertices or sense");
         }
         if (mesh.isFaceConstrained(face) != mesh.isFaceConstrained(other)) {
             report.add(nameOf(face) + " is constrained on one side only");

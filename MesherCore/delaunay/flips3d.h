@@ -36,7 +36,7 @@ std::optional<Flip3d> evaluateFlip23(const Triangulation3d& mesh, TetFace face);
 std::optional<Flip3d> evaluateFlip32(const Triangulation3d& mesh, TetId tet, int edge);
 
 /// 4-4: the edge, which must have four tetrahedra, is replaced by one between two opposite ones of the four vertices
-/// around it: those that are vertices of `tet` (diagonal 0: the one reached first) or the other two (diagonal 1).
+/// around it: `diagonal` 0 or 1, each with one end in `tet`.
 /// A pair of coplanar constrained faces in the plane of the new edge is flipped with it; the edge may be a hull edge between
 /// two coplanar hull faces, which makes it the 2-2 flip: then only the diagonal in that plane is possible.
 std::optional<Flip3d> evaluateFlip44(const Triangulation3d& mesh, TetId tet, int edge, int diagonal);

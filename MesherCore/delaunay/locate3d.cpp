@@ -11,9 +11,10 @@ TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const S
     TetId current = mesh.isGhostTet(hint) ? mesh.neighbour(hint, 3).tet() : hint;
     unsigned entered = 4;
     std::uint64_t bits = random();
-    for (;;) {
+    for (unsigned step = 1;; ++step) {
         const TetRecord& record = tets[current.value];
-        bits = bits >> 2 | bits << 62;
+        // Drawn anew when used up: choices that repeat could go round in circles where it is not Delaunay.
+        bits = step % 32 == 0 ? random() : bits >> 2;
         const unsigned first = static_cast<unsigned>(bits & 3u);
         TetFace next;
         for (unsigned i = 0; i < 4; ++i) {

@@ -2,6 +2,7 @@
 
 #include "base/box.h"
 #include "base/random.h"
+#include "predicates/coordinate_range.h"
 
 #include <algorithm>
 #include <array>
@@ -177,7 +178,9 @@ std::vector<Vec3> scaffoldPoints(std::span<const Vec3> points, const ScaffoldOpt
     const std::vector<std::uint64_t> codes = sortedCodes(points, grid);
     const GradedOctree octree(codes, options);
     for (const GradedOctree::Cell& cell : octree.cells()) {
-        if (cell.firstChild == 0 && cell.begin == cell.end) scaffold.push_back(grid.nearCentre(cell.corner, cell.level));
+        if (cell.firstChild != 0 || cell.begin != cell.end) continue;
+        const Vec3 place = grid.nearCentre(cell.corner, cell.level);
+        if (isInExactRange(place)) scaffold.push_back(place);
     }
     return scaffold;
 }

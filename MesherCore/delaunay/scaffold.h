@@ -23,7 +23,9 @@ struct ScaffoldOptions
 /// The points lie near the centres of the empty cells of a graded octree around the sample.
 ///
 /// Guarantees   none nearer to the sample than 0.4 of its cell's edge; cells next to the sample are those that hold at most
-///              pointsPerCell points of it; neighbouring cells differ by a factor of two at most; deterministic
+///              pointsPerCell points of it; neighbouring cells differ by a factor of two at most; all in the exact range;
+///              deterministic
+/// Requires     finite points
 /// Cost         n log n; for a surface sample about 7 % further points
 std::vector<Vec3> scaffoldPoints(std::span<const Vec3> points, const ScaffoldOptions& options = {});
 

@@ -221,6 +221,7 @@ private:
     IdVector<TetId, TetState> states_;
     IdVector<TetId, RegionId> regions_;
     std::vector<TetId> freeTets_;
+    std::uint16_t firstGeneration_ = 0;  ///< of a slot at the end of the arrays
     bool wasConstrained_ = false;
 };
 

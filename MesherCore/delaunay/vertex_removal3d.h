@@ -15,7 +15,8 @@ enum class VertexHole3d : std::uint8_t
 {
     Ready,
     OnConstraint,    ///< a constrained edge or face ends at the vertex
-    Untriangulable,  ///< a constrained face of the hole is no face of the Delaunay tetrahedra of its vertices
+    Untriangulable,  ///< a face of the hole is no face of the Delaunay tetrahedra of its vertices, or there are
+                     ///< constraints and without the vertex no tetrahedra to hold them
     WholeSpace       ///< without the vertex the others do not span space
 };
 
@@ -49,6 +50,7 @@ private:
     };
 
     bool isOnConstraint() const;
+    bool hasConstraint() const;
     void collectHole();
     void triangulateCorners();
     void fillFlatHole();
