@@ -72,7 +72,8 @@ public:
     [[nodiscard]] virtual Vec3 position(Vec2 uv) const = 0;
     [[nodiscard]] virtual SurfacePoint evaluate(Vec2 uv) const = 0;
     /// Without a seed the closest point over the whole surface, at whatever cost.
-    [[nodiscard]] virtual SurfaceProjection project(const Vec3& point, std::optional<Vec2> seed = {}) const = 0;
+    [[nodiscard]] virtual SurfaceProjection project(const Vec3& point,
+                                                    std::optional<Vec2> seed = {}) const = 0;
     /// The frame of a plane, in which (x, y) = (u, v).
     [[nodiscard]] virtual std::optional<PlaneFrame> planeFrame() const { return {}; }
     /// Ascending parameters inside the range at which the surface is not twice continuously differentiable.

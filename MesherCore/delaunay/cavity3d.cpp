@@ -39,9 +39,11 @@ bool isSameEdge(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
 
 CavityOperator3d::CavityOperator3d(Triangulation3d& triangulation)
     : mesh_(triangulation), canVectorise_(canVectoriseInsphere())
-{}
+{
+}
 
-inline bool CavityOperator3d::isInConflict(TetId tet, const VertexRecord& point, const StaticFilter3d& filter) const
+inline bool CavityOperator3d::isInConflict(TetId tet, const VertexRecord& point,
+                                           const StaticFilter3d& filter) const
 {
     const VertexRecord* vertices = mesh_.vertexData();
     const TetRecord& record = mesh_.tetData()[tet.value];
@@ -58,7 +60,8 @@ inline bool CavityOperator3d::isInConflict(TetId tet, const VertexRecord& point,
     return isInConflictExactly(record, point.position, filter);
 }
 
-bool CavityOperator3d::isInConflictExactly(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const
+bool CavityOperator3d::isInConflictExactly(const TetRecord& tet, const Vec3& point,
+                                           const StaticFilter3d& filter) const
 {
     const VertexRecord* vertices = mesh_.vertexData();
     const TetRecord* record = &tet;
@@ -71,7 +74,8 @@ bool CavityOperator3d::isInConflictExactly(const TetRecord& tet, const Vec3& poi
         record = mesh_.tetData() + record->neighbour[3].tet().value;
     }
     return inspherePerturbed(filter, vertices[record->vertex[0].value].position,
-                             vertices[record->vertex[1].value].position, vertices[record->vertex[2].value].position,
+                             vertices[record->vertex[1].value].position,
+                             vertices[record->vertex[2].value].position,
                              vertices[record->vertex[3].value].position, point) == Sign::Positive;
 }
 
@@ -135,8 +139,8 @@ void CavityOperator3d::collectConflicts(const VertexRecord& point, const StaticF
     }
 }
 
-const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split,
-                                       const StaticFilter3d& filter)
+const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds,
+                                       const CavitySplit3d& split, const StaticFilter3d& filter)
 {
     cavity_.status = CavityStatus::Ready;
     cavity_.point = point;
@@ -266,8 +270,9 @@ bool CavityOperator3d::repairEnclosedFaces(std::span<const TetId> seeds, const S
         if (!isMarked(inner.tet())) continue;
         // A face with the ghost has no plane; the side that is not a seed goes.
         const auto& v = face.vertex;
-        const bool isBehind = isGhost(v[2]) || orient3d(filter, cavity_.point, mesh_.position(v[0]),
-                                                        mesh_.position(v[1]), mesh_.position(v[2])) != Sign::Positive;
+        const bool isBehind =
+            isGhost(v[2]) || orient3d(filter, cavity_.point, mesh_.position(v[0]), mesh_.position(v[1]),
+                                      mesh_.position(v[2])) != Sign::Positive;
         if (!isBehind) continue;  // the same face seen from the other side is in the list too
         if (takeOut(inner.tet(), seeds, CavityStatus::BlockedByConstraint)) isChanged = true;
         if (cavity_.status != CavityStatus::Ready) {
@@ -281,7 +286,8 @@ bool CavityOperator3d::repairEnclosedFaces(std::span<const TetId> seeds, const S
 bool CavityOperator3d::isEdgeEnclosed(TetId tet, int edge) const
 {
     std::vector<TetId> ring;
-    mesh_.collectEdgeRing(tet, mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]), ring);
+    mesh_.collectEdgeRing(tet, mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]),
+                          ring);
     return std::all_of(ring.begin(), ring.end(), [&](TetId t) { return isMarked(t); });
 }
 
@@ -299,8 +305,8 @@ TetId CavityOperator3d::tetBehindEdge(TetId tet, int edge, const StaticFilter3d&
             const VertexId opposite = mesh_.vertex(candidate, face);
             if (opposite == a || opposite == b) continue;
             const auto [f0, f1, f2] = mesh_.faceVertices({candidate, face});
-            const Sign side = orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2),
-                                       cavity_.point);
+            const Sign side =
+                orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2), cavity_.point);
             behind += side == Sign::Negative ? 1 : 0;
             seen += side == Sign::Positive ? 1 : 0;
         }
@@ -337,8 +343,8 @@ bool CavityOperator3d::repairVisibility(std::span<const TetId> seeds, const Stat
     for (const CavityFace3d& face : cavity_.faces) {
         const auto& v = face.vertex;
         if (isGhost(v[2])) continue;
-        if (orient3d(filter, cavity_.point, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])) ==
-            Sign::Positive) {
+        if (orient3d(filter, cavity_.point, mesh_.position(v[0]), mesh_.position(v[1]),
+                     mesh_.position(v[2])) == Sign::Positive) {
             continue;
         }
         const TetId inner = mesh_.neighbour(face.outer).tet();
@@ -420,7 +426,8 @@ void CavityOperator3d::constrainSplitParts()
             const VertexId b = mesh_.vertex(local.tet, (k + 2) % 3 + 1);
             if (isSplitPerimeter(a, b)) flags |= tet_flag::face(k + 1);
             const VertexId end = mesh_.vertex(local.tet, k + 1);
-            const bool isHalf = splitsConstrainedEdge_ && (end == split_.vertex[0] || end == split_.vertex[1]);
+            const bool isHalf =
+                splitsConstrainedEdge_ && (end == split_.vertex[0] || end == split_.vertex[1]);
             if (isHalf) flags |= tet_flag::edge(kEdgeOfSlots[0][k + 1]);
         }
     }
@@ -446,8 +453,8 @@ std::size_t CavityOperator3d::bytes() const
 {
     return cavity_.tets.capacity() * sizeof(TetId) + cavity_.faces.capacity() * sizeof(CavityFace3d) +
            cavity_.constraints.capacity() * sizeof(CavityFaceConstraints3d) +
-           cavity_.constrainedFaces.capacity() * sizeof(TetFace) + localFaces_.capacity() * sizeof(LocalFace) +
-           linker_.bytes();
+           cavity_.constrainedFaces.capacity() * sizeof(TetFace) +
+           localFaces_.capacity() * sizeof(LocalFace) + linker_.bytes();
 }
 
 }  // namespace mesher

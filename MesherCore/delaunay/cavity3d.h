@@ -57,7 +57,12 @@ struct Cavity3d
 /// The constraint that an insertion is allowed to cut, because the point lies on it.
 struct CavitySplit3d
 {
-    enum class Kind : std::uint8_t { None, Face, Edge };
+    enum class Kind : std::uint8_t
+    {
+        None,
+        Face,
+        Edge
+    };
 
     Kind kind = Kind::None;
     /// The ends of the edge, or the corners of the face.

@@ -22,10 +22,7 @@ bool areCollinear(const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 /// -0 and 0 are one place; only one of them may reach the hash of a mesh.
-Vec3 withoutNegativeZero(const Vec3& p)
-{
-    return {p.x + 0.0, p.y + 0.0, p.z + 0.0};
-}
+Vec3 withoutNegativeZero(const Vec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
 }  // namespace
 
@@ -44,7 +41,10 @@ void Delaunay3d::expectPointsIn(const Box3& box)
 Result<void> checkPoint3d(const Vec3& point, std::string_view name)
 {
     if (!isFinite(point)) {
-        return Error{ErrorCode::NonFinitePoint, "a coordinate is not a finite number", std::string(name), {},
+        return Error{ErrorCode::NonFinitePoint,
+                     "a coordinate is not a finite number",
+                     std::string(name),
+                     {},
                      "repair the input"};
     }
     if (!isInExactRange(point)) {
@@ -59,14 +59,12 @@ Result<void> checkPoint3d(const Vec3& point, std::string_view name)
 bool Delaunay3d::raisesDimension(const Vec3& point) const
 {
     switch (dimension_) {
-    case -1:
-    case 0:
-        return true;
-    case 1:
-        return !areCollinear(mesh_.position(basis_[0]), mesh_.position(basis_[1]), point);
-    default:
-        return orient3d(mesh_.position(basis_[0]), mesh_.position(basis_[1]), mesh_.position(basis_[2]), point) !=
-               Sign::Zero;
+        case -1:
+        case 0: return true;
+        case 1: return !areCollinear(mesh_.position(basis_[0]), mesh_.position(basis_[1]), point);
+        default:
+            return orient3d(mesh_.position(basis_[0]), mesh_.position(basis_[1]), mesh_.position(basis_[2]),
+                            point) != Sign::Zero;
     }
 }
 
@@ -101,7 +99,8 @@ void Delaunay3d::makeFirstTet()
     }
     for (unsigned i = 0; i < 4; ++i) {
         for (unsigned j = i + 1; j < 4; ++j) {
-            mesh_.link({ghost[i], mesh_.slotOf(ghost[i], corner[j])}, {ghost[j], mesh_.slotOf(ghost[j], corner[i])});
+            mesh_.link({ghost[i], mesh_.slotOf(ghost[i], corner[j])},
+                       {ghost[j], mesh_.slotOf(ghost[j], corner[i])});
         }
     }
     for (const VertexId v : corner) mesh_.setIncidentTet(v, inner);
@@ -165,7 +164,9 @@ void Delaunay3d::removePending(VertexId vertex)
 /// Flips are made by others, so the tetrahedron of the last insertion may be gone.
 TetId Delaunay3d::startOfWalk(TetId hint) const
 {
-    const auto isUsable = [&](TetId t) { return t.isValid() && t.value < mesh_.tetLimit() && mesh_.isAlive(t); };
+    const auto isUsable = [&](TetId t) {
+        return t.isValid() && t.value < mesh_.tetLimit() && mesh_.isAlive(t);
+    };
     if (isUsable(hint)) return hint;
     if (isUsable(recent_)) return recent_;
     TetId first(0u);
@@ -175,7 +176,8 @@ TetId Delaunay3d::startOfWalk(TetId hint) const
 
 bool Delaunay3d::isOnConstraint(const Location3d& location) const
 {
-    if (location.kind == Location3d::Kind::Face) return mesh_.isFaceConstrained({location.tet, location.index});
+    if (location.kind == Location3d::Kind::Face)
+        return mesh_.isFaceConstrained({location.tet, location.index});
     if (location.kind != Location3d::Kind::Edge) return false;
     if (mesh_.isEdgeConstrained(location.tet, location.index)) return true;
     const VertexId a = mesh_.vertex(location.tet, kEdgeSlots[location.index][0]);
@@ -228,8 +230,8 @@ Result<Insertion3d> Delaunay3d::insert(Vec3 point, TetId hint, ConstraintPolicy 
     const Location3d location = classifyLocation3d(mesh_, point, found, filter_);
     if (location.kind == Location3d::Kind::Vertex) {
         recent_ = location.tet;
-        return Insertion3d{InsertionStatus::Duplicate, mesh_.vertex(location.tet, location.index), location.tet,
-                           location};
+        return Insertion3d{InsertionStatus::Duplicate, mesh_.vertex(location.tet, location.index),
+                           location.tet, location};
     }
     if (policy == ConstraintPolicy::Refuse && isOnConstraint(location)) {
         return Insertion3d{InsertionStatus::OnConstraint, {}, {}, location};
@@ -245,11 +247,15 @@ Result<Location3d> Delaunay3d::locate(Vec3 point, TetId hint)
     const Result<void> valid = checkPoint3d(point, "point");
     if (!valid) return valid.error();
     if (dimension_ < 3) {
-        return Error{ErrorCode::DegenerateInput, "the points do not span space", {}, point,
+        return Error{ErrorCode::DegenerateInput,
+                     "the points do not span space",
+                     {},
+                     point,
                      "insert four points that are not coplanar first"};
     }
     expectPointsIn({point, point});
-    return classifyLocation3d(mesh_, point, walk3d(mesh_, point, startOfWalk(hint), filter_, random_), filter_);
+    return classifyLocation3d(mesh_, point, walk3d(mesh_, point, startOfWalk(hint), filter_, random_),
+                              filter_);
 }
 
 const Cavity3d& Delaunay3d::findCavity(Vec3 point, const Location3d& location, ConstraintPolicy policy)
@@ -302,17 +308,13 @@ RemovalStatus Delaunay3d::remove(VertexId vertex)
     }
     if (!removal_) removal_ = std::make_unique<VertexRemoval3d>(mesh_);
     switch (removal_->find(vertex)) {
-    case VertexHole3d::OnConstraint:
-        return RemovalStatus::OnConstraint;
-    case VertexHole3d::Untriangulable:
-        ++counters_.blockedRemovals;
-        return RemovalStatus::Blocked;
-    case VertexHole3d::WholeSpace:
-        mesh_.removeVertex(vertex);
-        enterPendingState();
-        return RemovalStatus::Removed;
-    case VertexHole3d::Ready:
-        break;
+        case VertexHole3d::OnConstraint: return RemovalStatus::OnConstraint;
+        case VertexHole3d::Untriangulable: ++counters_.blockedRemovals; return RemovalStatus::Blocked;
+        case VertexHole3d::WholeSpace:
+            mesh_.removeVertex(vertex);
+            enterPendingState();
+            return RemovalStatus::Removed;
+        case VertexHole3d::Ready: break;
     }
     recent_ = removal_->commit();
     return RemovalStatus::Removed;

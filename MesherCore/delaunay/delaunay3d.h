@@ -74,13 +74,13 @@ enum class RemovalStatus : std::uint8_t
 {
     Removed,
     OnConstraint,  ///< the vertex ends a constrained edge or face
-    Blocked        ///< constraints nearby make the hole untriangulable by the Delaunay tetrahedra of its vertices
+    Blocked  ///< constraints nearby make the hole untriangulable by the Delaunay tetrahedra of its vertices
 };
 
 /// How often the rare paths were taken.
 struct DelaunayCounters3d
 {
-    std::uint64_t cavityRepairs = 0;       ///< tetrahedra taken out of cavities to make them star-shaped
+    std::uint64_t cavityRepairs = 0;  ///< tetrahedra taken out of cavities to make them star-shaped
     std::uint64_t blockedInsertions = 0;
     std::uint64_t blockedRemovals = 0;
 };
@@ -118,7 +118,8 @@ public:
                                          RunContext& context);
 
     /// Inserts one point. Errors: not finite or out of the exact range.
-    Result<Insertion3d> insert(Vec3 point, TetId hint = {}, ConstraintPolicy policy = ConstraintPolicy::Refuse);
+    Result<Insertion3d> insert(Vec3 point, TetId hint = {},
+                               ConstraintPolicy policy = ConstraintPolicy::Refuse);
 
     /// Inserts one point as fast as can be. Requires a finite point in the exact range and inside a box that was
     /// announced by expectPointsIn, and no constraints; the vertices' incidentTet is not kept up.
@@ -168,7 +169,8 @@ private:
     bool isOnConstraint(const Location3d& location) const;
     void reserveAfterSample(std::size_t remaining, std::size_t inserted);
     StopReason insertInOrder(std::span<const Vec3> points, std::span<const Vec3> scaffold,
-                             const BulkInsertionOptions3d& options, RunContext& context, BulkInsertion3d& result);
+                             const BulkInsertionOptions3d& options, RunContext& context,
+                             BulkInsertion3d& result);
 
     Triangulation3d mesh_;
     CavityOperator3d cavities_;

@@ -51,7 +51,8 @@ inline constexpr int kMaxEdgeRing = 12;
 /// Removes an edge with 3 to kMaxEdgeRing finite tetrahedra, replacing its n tetrahedra by the 2n - 4 whose worst is best,
 /// by Klincsek's dynamic programme over the triangulations of the ring. Cost: n³.
 /// Reference    [klincsek1980] [freitag1997]
-std::optional<Flip3d> evaluateEdgeRemoval(const Triangulation3d& mesh, TetId tet, int edge, const TetMeasure& measure);
+std::optional<Flip3d> evaluateEdgeRemoval(const Triangulation3d& mesh, TetId tet, int edge,
+                                          const TetMeasure& measure);
 
 /// Applies a flip that was evaluated on the mesh as it is. Returns one of the new tetrahedra.
 TetId applyFlip(TetReplacement3d& replacement, const Flip3d& flip);

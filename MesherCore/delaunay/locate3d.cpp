@@ -4,7 +4,8 @@
 
 namespace mesher {
 
-TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const StaticFilter3d& filter, Random& random)
+TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const StaticFilter3d& filter,
+             Random& random)
 {
     const VertexRecord* vertices = mesh.vertexData();
     const TetRecord* tets = mesh.tetData();
@@ -21,9 +22,10 @@ TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const S
             const unsigned face = (first + i) & 3u;
             if (face == entered) continue;
             const int* slots = kFaceSlots[face];
-            const Sign side = orient3d(filter, vertices[record.vertex[static_cast<unsigned>(slots[0])].value].position,
-                                       vertices[record.vertex[static_cast<unsigned>(slots[1])].value].position,
-                                       vertices[record.vertex[static_cast<unsigned>(slots[2])].value].position, point);
+            const Sign side =
+                orient3d(filter, vertices[record.vertex[static_cast<unsigned>(slots[0])].value].position,
+                         vertices[record.vertex[static_cast<unsigned>(slots[1])].value].position,
+                         vertices[record.vertex[static_cast<unsigned>(slots[2])].value].position, point);
             if (side == Sign::Negative) {
                 next = record.neighbour[face];
                 break;

@@ -14,10 +14,7 @@ std::array<VertexId, 3> sortedCorners(std::array<VertexId, 3> face)
     return face;
 }
 
-std::array<VertexId, 2> sortedEdge(VertexId a, VertexId b)
-{
-    return {std::min(a, b), std::max(a, b)};
-}
+std::array<VertexId, 2> sortedEdge(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
 }  // namespace
 
@@ -67,7 +64,8 @@ void TetReplacement3d::collectSurface(std::span<const TetId> before)
         }
     }
     std::sort(constrainedEdges_.begin(), constrainedEdges_.end());
-    constrainedEdges_.erase(std::unique(constrainedEdges_.begin(), constrainedEdges_.end()), constrainedEdges_.end());
+    constrainedEdges_.erase(std::unique(constrainedEdges_.begin(), constrainedEdges_.end()),
+                            constrainedEdges_.end());
 }
 
 void TetReplacement3d::create(std::span<const TetId> before, std::span<const TetCorners> after)

@@ -46,7 +46,8 @@ bool Triangulation3d::isVertexAlive(VertexId vertex) const
 std::uint32_t Triangulation3d::finiteTetCount() const
 {
     std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < tetLimit(); ++i) count += isAlive(TetId(i)) && !isGhostTet(TetId(i)) ? 1u : 0u;
+    for (std::uint32_t i = 0; i < tetLimit(); ++i)
+        count += isAlive(TetId(i)) && !isGhostTet(TetId(i)) ? 1u : 0u;
     return count;
 }
 

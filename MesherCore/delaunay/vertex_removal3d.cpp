@@ -17,10 +17,7 @@ std::array<VertexId, 3> smallestFirst(const std::array<VertexId, 3>& face)
 }
 
 /// The ghost is the largest id, so it is never first; which of the others it is depends on the sense of the face.
-bool hasGhost(const std::array<VertexId, 3>& face)
-{
-    return isGhost(face[1]) || isGhost(face[2]);
-}
+bool hasGhost(const std::array<VertexId, 3>& face) { return isGhost(face[1]) || isGhost(face[2]); }
 
 }  // namespace
 
@@ -110,9 +107,9 @@ void VertexRemoval3d::fillFlatHole()
 
 std::uint32_t VertexRemoval3d::findHoleFace(const std::array<VertexId, 3>& corner) const
 {
-    const auto found =
-        std::lower_bound(holeFaces_.begin(), holeFaces_.end(), corner,
-                         [](const HoleFace& face, const std::array<VertexId, 3>& key) { return face.corner < key; });
+    const auto found = std::lower_bound(
+        holeFaces_.begin(), holeFaces_.end(), corner,
+        [](const HoleFace& face, const std::array<VertexId, 3>& key) { return face.corner < key; });
     if (found == holeFaces_.end() || found->corner != corner) return kNone;
     return static_cast<std::uint32_t>(found - holeFaces_.begin());
 }
@@ -139,8 +136,8 @@ bool VertexRemoval3d::fillFromDelaunay()
     if (matched != holeFaces_.size()) return false;
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const TetRecord& record = local.tet(queue_[next]);
-        filling_.push_back({original(record.vertex[0]), original(record.vertex[1]), original(record.vertex[2]),
-                            original(record.vertex[3])});
+        filling_.push_back({original(record.vertex[0]), original(record.vertex[1]),
+                            original(record.vertex[2]), original(record.vertex[3])});
         for (unsigned face = 0; face < 4; ++face) {
             const TetId other = record.neighbour[face].tet();
             if (isBounded_[queue_[next].value * 4 + face] != 0 || isInside_[other.value] != 0) continue;

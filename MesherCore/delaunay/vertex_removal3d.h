@@ -65,8 +65,8 @@ private:
     std::vector<TetCorners> filling_;
     TetReplacement3d replacement_;
     std::vector<TetId> queue_;
-    std::vector<char> isInside_;   ///< by tetrahedron of local_
-    std::vector<char> isBounded_;  ///< by face of local_: it is a face of the hole, seen from inside
+    std::vector<char> isInside_;         ///< by tetrahedron of local_
+    std::vector<char> isBounded_;        ///< by face of local_: it is a face of the hole, seen from inside
     std::unique_ptr<Delaunay3d> local_;  ///< made on first use: it owns the like of this class
 };
 

@@ -22,7 +22,8 @@ using Generator3d = std::vector<Vec3> (*)(std::size_t, std::uint64_t);
 
 void countPoints(benchmark::State& state, std::size_t points)
 {
-    state.SetItemsProcessed(static_cast<std::int64_t>(points) * static_cast<std::int64_t>(state.iterations()));
+    state.SetItemsProcessed(static_cast<std::int64_t>(points) *
+                            static_cast<std::int64_t>(state.iterations()));
 }
 
 void bulkInsertion3d(benchmark::State& state, Generator3d generate, ScaffoldPolicy scaffold)
@@ -31,7 +32,8 @@ void bulkInsertion3d(benchmark::State& state, Generator3d generate, ScaffoldPoli
     for (auto _ : state) {
         Delaunay3d delaunay;
         RunContext context;
-        const auto inserted = delaunay.insertPoints(points, {.classification = {}, .scaffold = scaffold}, context);
+        const auto inserted =
+            delaunay.insertPoints(points, {.classification = {}, .scaffold = scaffold}, context);
         benchmark::DoNotOptimize(inserted.hasValue());
     }
     countPoints(state, points.size());
@@ -61,7 +63,8 @@ void removal3d(benchmark::State& state)
         RunContext context;
         const auto inserted = delaunay.insertPoints(points, {}, context);
         state.ResumeTiming();
-        for (std::size_t i = 0; i < removed; ++i) benchmark::DoNotOptimize(delaunay.remove(inserted->vertex[i]));
+        for (std::size_t i = 0; i < removed; ++i)
+            benchmark::DoNotOptimize(delaunay.remove(inserted->vertex[i]));
     }
     countPoints(state, removed);
 }

@@ -153,16 +153,28 @@ struct Cells
     }
 };
 
+double distanceTo(const std::vector<Vec3>& points, const Vec3& place)
+{
+    double nearest = 1e300;
+    for (const Vec3& p : points) nearest = std::min(nearest, length(p - place));
+    return nearest;
+}
+
 TEST(Scaffold, StaysHalfACellAwayAndIsGraded)
 {
     for (const auto& points : {torusPoints3d(3000, 2), clusteredPoints3d(500, 1), spherePoints3d(8000, 3)}) {
-        const std::vector<Vec3> scaffold = scaffoldPoints(points);
+        ScaffoldOptions exactCentres;
+        exactCentres.jitter = 0.0;
+        const std::vector<Vec3> scaffold = scaffoldPoints(points, exactCentres);
+        const std::vector<Vec3> jittered = scaffoldPoints(points);
         ASSERT_GT(scaffold.size(), 40u);
+        ASSERT_EQ(jittered.size(), scaffold.size());
         const Cells cells(points, scaffold);
         for (std::size_t i = 0; i < scaffold.size(); ++i) {
-            double nearest = 1e300;
-            for (const Vec3& p : points) nearest = std::min(nearest, length(p - scaffold[i]));
-            EXPECT_GE(nearest, 0.4999 * cells.size[i]);
+            ASSERT_GE(distanceTo(points, scaffold[i]), 0.4999 * cells.size[i]);
+            ASSERT_GE(distanceTo(points, jittered[i]), 0.3999 * cells.size[i]);
+            ASSERT_LE(length(jittered[i] - scaffold[i]), 0.1001 * std::sqrt(3.0) * cells.size[i]);
+            ASSERT_NE(jittered[i], scaffold[i]);
             for (std::size_t j = 0; j < i; ++j) {
                 // They touch with a face: apart by half of both sizes along one axis, by less along the others.
                 const Vec3 d = scaffold[i] - scaffold[j];
@@ -174,11 +186,11 @@ TEST(Scaffold, StaysHalfACellAwayAndIsGraded)
                     touching += std::abs(x - reach) < 1e-4 * reach ? 1 : 0;
                     overlapping += x < 0.999 * reach ? 1 : 0;
                 }
-                EXPECT_LT(overlapping, 3) << "two cells overlap";
+                ASSERT_LT(overlapping, 3) << "two cells overlap";
                 if (touching != 1 || overlapping != 2) continue;
                 const double ratio = cells.size[i] / cells.size[j];
-                EXPECT_GE(ratio, 0.499);
-                EXPECT_LE(ratio, 2.001);
+                ASSERT_GE(ratio, 0.499);
+                ASSERT_LE(ratio, 2.001);
             }
         }
     }
