@@ -6,6 +6,7 @@
 #include "delaunay/delaunay_check2d.h"
 #include "delaunay/mesh_hash2d.h"
 #include "delaunay/replay2d.h"
+#include "predicates/coordinate_range.h"
 
 #include <cmath>
 #include <cstdio>
@@ -183,7 +184,7 @@ private:
         }
     }
 
-    /// A vertex, or one unit in the last place beside it.
+    /// A vertex, or one unit in the last place beside it; the units beside 0 are out of the exact range.
     Vec2 nearVertex()
     {
         const VertexId vertex = labels_.empty() ? VertexId() : replayer_.vertexOf(labels_[randomIndex()]);
@@ -191,7 +192,7 @@ private:
         Vec2 p = mesh().position(vertex);
         if (random_.below(3) != 0) p.x = std::nextafter(p.x, 20.0);
         if (random_.below(3) != 0) p.y = std::nextafter(p.y, -20.0);
-        return p;
+        return isInExactRange(p) ? p : mesh().position(vertex);
     }
 
     /// The rounded midpoint of an edge: exactly on it on the lattice.
