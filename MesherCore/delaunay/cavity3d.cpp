@@ -1,7 +1,6 @@
 #include "delaunay/cavity3d.h"
 
 #include "predicates/insphere.h"
-#include "predicates/insphere_vectorised.h"
 #include "predicates/orient3d.h"
 
 #include <algorithm>
@@ -37,46 +36,31 @@ bool isSameEdge(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
 
 // --- conflict search
 
-CavityOperator3d::CavityOperator3d(Triangulation3d& triangulation)
-    : mesh_(triangulation), canVectorise_(canVectoriseInsphere())
+inline bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const
 {
-}
-
-inline bool CavityOperator3d::isInConflict(TetId tet, const VertexRecord& point,
-                                           const StaticFilter3d& filter) const
-{
-    const VertexRecord* vertices = mesh_.vertexData();
     const TetRecord& record = mesh_.tetData()[tet.value];
-    if (canVectorise_ && !isGhost(record.vertex[3])) [[likely]] {
-        const InsphereVectorEstimate estimate = insphereEstimateVectorised(
-            &vertices[record.vertex[0].value].position.x, &vertices[record.vertex[1].value].position.x,
-            &vertices[record.vertex[2].value].position.x, &vertices[record.vertex[3].value].position.x,
-            &point.position.x);
-        const double magnitude = std::abs(estimate.determinant);
-        if (magnitude > filter.insphere || magnitude > estimate.errorBound()) [[likely]] {
-            return estimate.determinant > 0.0;
-        }
-    }
-    return isInConflictExactly(record, point.position, filter);
+    if (isGhost(record.vertex[3])) [[unlikely]]
+        return isGhostInConflict(record, point, filter);
+    return isInSphere(record, point, filter);
 }
 
-bool CavityOperator3d::isInConflictExactly(const TetRecord& tet, const Vec3& point,
-                                           const StaticFilter3d& filter) const
+inline bool CavityOperator3d::isInSphere(const TetRecord& tet, const Vec3& point,
+                                         const StaticFilter3d& filter) const
 {
     const VertexRecord* vertices = mesh_.vertexData();
-    const TetRecord* record = &tet;
-    if (isGhost(record->vertex[3])) {
-        const Sign side = orient3d(filter, vertices[record->vertex[0].value].position,
-                                   vertices[record->vertex[1].value].position,
-                                   vertices[record->vertex[2].value].position, point);
-        if (side != Sign::Zero) return side == Sign::Positive;
-        // In the plane of the hull facet the circumcircle decides, which the sphere behind the facet cuts out of it.
-        record = mesh_.tetData() + record->neighbour[3].tet().value;
-    }
-    return inspherePerturbed(filter, vertices[record->vertex[0].value].position,
-                             vertices[record->vertex[1].value].position,
-                             vertices[record->vertex[2].value].position,
-                             vertices[record->vertex[3].value].position, point) == Sign::Positive;
+    return inspherePerturbed(filter, vertices[tet.vertex[0].value].position,
+                             vertices[tet.vertex[1].value].position, vertices[tet.vertex[2].value].position,
+                             vertices[tet.vertex[3].value].position, point) == Sign::Positive;
+}
+
+bool CavityOperator3d::isGhostInConflict(const TetRecord& ghost, const Vec3& point,
+                                         const StaticFilter3d& filter) const
+{
+    const Sign side = orient3d(filter, mesh_.position(ghost.vertex[0]), mesh_.position(ghost.vertex[1]),
+                               mesh_.position(ghost.vertex[2]), point);
+    if (side != Sign::Zero) return side == Sign::Positive;
+    // In the plane of the hull facet the circumcircle decides, which the sphere behind the facet cuts out of it.
+    return isInSphere(mesh_.tet(ghost.neighbour[3].tet()), point, filter);
 }
 
 /// The search comes to the neighbours a few tetrahedra later: time enough to fetch them.
@@ -109,7 +93,7 @@ inline void CavityOperator3d::addFace(const TetRecord& inner, unsigned face, Tet
 }
 
 template <bool kConstrained>
-void CavityOperator3d::collectConflicts(const VertexRecord& point, const StaticFilter3d& filter)
+void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d& filter)
 {
     const TetRecord* const records = mesh_.tetData();
     TetState* const states = mesh_.stateData();
@@ -151,7 +135,7 @@ const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId>
     split_ = split;
     collectSplitPerimeter(seeds);
     for (const TetId seed : seeds) mark(seed);
-    collectConflicts<true>(VertexRecord{point}, filter);
+    collectConflicts<true>(point, filter);
     marked_ = cavity_.tets;
     while (cavity_.status == CavityStatus::Ready && repairOnce(seeds, filter)) refloodFromSeeds(seeds);
     for (const TetId tet : marked_) unmark(tet);
@@ -445,7 +429,7 @@ TetId CavityOperator3d::insertUnconstrained(VertexId vertex, TetId seed, const S
     cavity_.faces.clear();
     cavity_.tets.push_back(seed);
     mark(seed);
-    collectConflicts<false>(mesh_.vertexData()[vertex.value], filter);
+    collectConflicts<false>(mesh_.position(vertex), filter);
     return retriangulate<false>(vertex);
 }
 

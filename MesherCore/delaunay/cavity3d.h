@@ -80,7 +80,7 @@ struct CavitySplit3d
 class CavityOperator3d
 {
 public:
-    explicit CavityOperator3d(Triangulation3d& triangulation);
+    explicit CavityOperator3d(Triangulation3d& triangulation) : mesh_(triangulation) {}
 
     /// The tetrahedra in conflict with the point that can be reached from the seeds without crossing a constrained
     /// face, made star-shaped. The returned cavity is valid until the next call.
@@ -106,9 +106,10 @@ private:
     };
 
     template <bool kConstrained>
-    void collectConflicts(const VertexRecord& point, const StaticFilter3d& filter);
-    bool isInConflict(TetId tet, const VertexRecord& point, const StaticFilter3d& filter) const;
-    bool isInConflictExactly(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const;
+    void collectConflicts(const Vec3& point, const StaticFilter3d& filter);
+    bool isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const;
+    bool isInSphere(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const;
+    bool isGhostInConflict(const TetRecord& ghost, const Vec3& point, const StaticFilter3d& filter) const;
     void prefetchAround(TetId tet) const;
     bool isCrossingForbidden(TetFace face) const;
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
@@ -139,7 +140,6 @@ private:
     }
 
     Triangulation3d& mesh_;
-    bool canVectorise_;
     Cavity3d cavity_;
     CavitySplit3d split_;
     std::vector<TetId> marked_;

@@ -5,7 +5,6 @@
 #include "predicates/coordinate_range.h"
 #include "predicates/incircle.h"
 #include "predicates/insphere.h"
-#include "predicates/insphere_vectorised.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/predicate_tiers.h"
@@ -95,28 +94,10 @@ private:
         count(3, sphere, decideInsphere(filter, p[0], p[1], p[2], p[3], p[4]), "insphere tiers");
         expect(insphere(p[0], p[1], p[2], p[3], p[4]) == sphere, "insphere");
         expect(insphere(filter, p[0], p[1], p[2], p[3], p[4]) == sphere, "insphere, filtered");
-        checkVectorised(filter, sphere);
         const Sign perturbed = isPerturbationDue(sphere) ? oracle.perturbedSphere() : sphere;
         expect(inspherePerturbed(p[0], p[1], p[2], p[3], p[4]) == perturbed, "inspherePerturbed");
         expect(inspherePerturbed(filter, p[0], p[1], p[2], p[3], p[4]) == perturbed,
                "inspherePerturbed, filtered");
-    }
-
-    /// Where one of its filters trusts the vectorised estimate, it must be right.
-    void checkVectorised(const StaticFilter3d& filter, Sign sphere)
-    {
-        if (!canVectorise_) return;
-        struct alignas(32) Aligned
-        {
-            Vec3 position;
-        };
-        std::array<Aligned, 5> p;
-        for (std::size_t i = 0; i < p.size(); ++i) p[i].position = sets_.space[i];
-        const InsphereVectorEstimate estimate = insphereEstimateVectorised(
-            &p[0].position.x, &p[1].position.x, &p[2].position.x, &p[3].position.x, &p[4].position.x);
-        const double magnitude = std::abs(estimate.determinant);
-        if (!(magnitude > filter.insphere) && !(magnitude > estimate.errorBound())) return;
-        expect(signOfNonZero(estimate.determinant) == sphere, "vectorised insphere");
     }
 
     /// The perturbation may matter only for a zero; a hundredth of the other cases checks that it does not.
@@ -167,7 +148,6 @@ private:
 
     PointKind kind_;
     const Options& options_;
-    bool canVectorise_ = canVectoriseInsphere();
     std::uint64_t index_ = 0;
     std::uint64_t mismatches_ = 0;
     PointSets sets_;

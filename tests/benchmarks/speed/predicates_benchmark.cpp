@@ -5,7 +5,6 @@
 #include "base/random.h"
 #include "predicates/incircle.h"
 #include "predicates/insphere.h"
-#include "predicates/insphere_vectorised.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 
@@ -221,43 +220,11 @@ void registerAll()
         [](const auto& p) { return Epick().side_of_oriented_circle_2_object()(p[0], p[1], p[2], p[3]); });
 }
 
-/// The 256-bit estimate with its static filter, as the cavity search of the 3D kernel calls it.
-void registerVectorised(Data data, const std::string& kind)
-{
-    struct alignas(32) Aligned
-    {
-        Vec3 position;
-    };
-    std::vector<std::array<Aligned, 5>> sets;
-    const auto plainSets = makeSets<Points3>(makePoints3, data);
-    for (const Points3& points : plainSets) {
-        sets.emplace_back();
-        for (std::size_t i = 0; i < 5; ++i) sets.back()[i].position = points[i];
-    }
-    const auto filter = filterOf(plainSets);
-    const auto predicate = [filter](const std::array<Aligned, 5>& p) {
-        const auto estimate = mesher::insphereEstimateVectorised(
-            &p[0].position.x, &p[1].position.x, &p[2].position.x, &p[3].position.x, &p[4].position.x);
-        const double magnitude = std::abs(estimate.determinant);
-        if (magnitude > filter.insphere || magnitude > estimate.errorBound()) {
-            return mesher::signOfNonZero(estimate.determinant);
-        }
-        return mesher::insphere(filter, p[0].position, p[1].position, p[2].position, p[3].position,
-                                p[4].position);
-    };
-    benchmark::RegisterBenchmark(("insphere/" + kind + "/avx2").c_str(),
-                                 [=](benchmark::State& s) { run(s, sets, predicate); });
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
 {
     registerAll();
-    if (mesher::canVectoriseInsphere()) {
-        registerVectorised(Data::Uniform, "uniform");
-        registerVectorised(Data::Cluster, "cluster");
-    }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

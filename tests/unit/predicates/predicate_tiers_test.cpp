@@ -1,7 +1,6 @@
 #include "predicates/exact_tiers.h"
 #include "predicates/incircle.h"
 #include "predicates/insphere.h"
-#include "predicates/insphere_vectorised.h"
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 #include "predicates/predicate_tiers.h"
@@ -177,31 +176,6 @@ TEST(PredicateTiers, Agree)
             if (HasFatalFailure()) return;
         }
     }
-}
-
-TEST(PredicateTiers, VectorisedEstimateIsRightWhereItsFilterTrustsIt)
-{
-    if (!canVectoriseInsphere()) GTEST_SKIP() << "this processor has no AVX2";
-    struct alignas(32) Aligned
-    {
-        Vec3 position;
-    };
-    std::size_t decided = 0;
-    for (std::size_t kind = 0; kind < kPointKindCount; ++kind) {
-        for (std::uint64_t i = 0; i < 5000; ++i) {
-            const auto points = makePointSets(static_cast<PointKind>(kind), 4, i).space;
-            std::array<Aligned, 5> p;
-            for (std::size_t k = 0; k < 5; ++k) p[k].position = points[k];
-            const InsphereVectorEstimate estimate = insphereEstimateVectorised(
-                &p[0].position.x, &p[1].position.x, &p[2].position.x, &p[3].position.x, &p[4].position.x);
-            if (!(std::abs(estimate.determinant) > estimate.errorBound())) continue;
-            ++decided;
-            ASSERT_EQ(signOfNonZero(estimate.determinant),
-                      insphere(points[0], points[1], points[2], points[3], points[4]));
-        }
-    }
-    // All random sets and half of the others.
-    EXPECT_GT(decided, 10000u);
 }
 
 TEST(PredicateTiers, LargestAndSmallestCoordinatesNeitherOverflowNorUnderflow)
