@@ -27,6 +27,7 @@ struct Samples
     std::array<double, kCount> parameters;
     std::array<double, kCount> turning;  ///< |C' x C''| / |C'|^2
     std::array<double, kCount> speed;
+    std::array<Vec3, kCount> tangent;
     std::array<Vec3, kCount> binormal;
 };
 
@@ -43,6 +44,7 @@ Samples sample(const Curve& curve, Interval range)
         const CurvePoint p = curve.evaluate(t);
         const double speed2 = squaredLength(p.d1);
         samples.parameters[k] = t;
+        samples.tangent[k] = p.d1;
         samples.binormal[k] = binormalOf(p);
         samples.speed[k] = std::sqrt(speed2);
         samples.turning[k] = speed2 > 0.0 ? length(samples.binormal[k]) / speed2 : 0.0;
@@ -115,7 +117,8 @@ private:
             const ChebyshevSeries turning = ChebyshevSeries::fitted(samples.turning);
             const ChebyshevSeries speed = ChebyshevSeries::fitted(samples.speed);
             const double half = 0.5 * cell.length();
-            const bool isResolved = turning.tail() * half <= kTolerance && speed.tail() * half <= kTolerance * size_;
+            const bool isResolved = turning.tail() * half <= kTolerance &&
+                                    speed.tail() * half <= kTolerance * size_ && !hidesJump(samples, turning, half);
             const bool isNarrow = cell.length() <= kNarrowest * whole_.length();
             if (isResolved || isNarrow) {
                 addCell(cell, isResolved, turning, speed);
@@ -125,6 +128,14 @@ private:
             open.push_back({cut, cell.last});
             open.push_back({cell.first, cut});
         }
+    }
+
+    /// A cusp turns the tangent between two samples without a trace in the curvature beside it.
+    static bool hidesJump(const Samples& samples, const ChebyshevSeries& turning, double half)
+    {
+        double seen = 0.0;
+        for (std::size_t k = 0; k + 1 < kCount; ++k) seen += angleBetween(samples.tangent[k], samples.tangent[k + 1]);
+        return seen > half * turning.primitive().at(1.0) + kSmallestJump;
     }
 
     void addCell(Interval range, bool isResolved, const ChebyshevSeries& turning, const ChebyshevSeries& speed)
