@@ -286,7 +286,7 @@ private:
     void addBox()
     {
         Bnd_Box box;
-        BRepBndLib::Add(shape_, box, false);
+        BRepBndLib::AddOptimal(shape_, box, false, false);
         if (box.IsVoid()) return;
         box.SetGap(0.0);
         model_.box.include(toVec(box.CornerMin()));

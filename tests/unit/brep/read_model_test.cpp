@@ -8,7 +8,6 @@
 #include <IGESControl_Writer.hxx>
 #include <Message.hxx>
 #include <STEPControl_Writer.hxx>
-#include <Interface_Static.hxx>
 
 #include <gtest/gtest.h>
 
@@ -55,15 +54,13 @@ std::string contentOf(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-std::string stepOf(const TopoDS_Shape& shape, const char* unit = "MM")
+std::string stepOf(const TopoDS_Shape& shape)
 {
     const test::TempDir folder;
     Message::DefaultMessenger()->ChangePrinters().Clear();
     STEPControl_Writer writer;
-    Interface_Static::SetCVal("write.step.unit", unit);
     writer.Transfer(shape, STEPControl_AsIs);
     writer.Write((folder.path() / "model.step").c_str());
-    Interface_Static::SetCVal("write.step.unit", "MM");
     return contentOf(folder.path() / "model.step");
 }
 
@@ -134,10 +131,17 @@ TEST(ReadModel, FreeCadBinaryKeepsPlacementAndOrientation)
 
 TEST(ReadModel, StepComesInMillimetresAndTellsItsUnit)
 {
-    const Result<ReadModel> read = readText(stepOf(test::drilledPlate(), "INCH"));
-    expectPlate(read, "STEP");
-    EXPECT_EQ(read->fileUnit, "INCH");
+    std::string content = stepOf(test::drilledPlate());
+    EXPECT_EQ(fromMemory(content)->fileUnit, "millimetre");
+    const std::string millimetre = "SI_UNIT(.MILLI.,.METRE.)";
+    const std::size_t place = content.find(millimetre);
+    ASSERT_NE(place, std::string::npos);
+    content.replace(place, millimetre.size(), "SI_UNIT($,.METRE.)");
+    const Result<ReadModel> read = fromMemory(content);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->fileUnit, "metre");
     EXPECT_EQ(read->model.unit, "mm");
+    EXPECT_NEAR(read->model.box.extent().x, 6000.0, 1e-3);
 }
 
 TEST(ReadModel, ReadsIges)
