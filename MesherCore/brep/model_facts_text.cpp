@@ -39,6 +39,14 @@ void appendList(std::string& text, const std::string& title, const List& list, L
     if (list.size() > kLongestList) text += "  and " + std::to_string(list.size() - kLongestList) + " more\n";
 }
 
+std::string enclosed(char open, std::string_view text, char close)
+{
+    std::string result(1, open);
+    result.append(text);
+    result += close;
+    return result;
+}
+
 std::string quoted(std::string_view text)
 {
     constexpr char kDigits[] = "0123456789abcdef";
@@ -76,7 +84,7 @@ public:
     }
     JsonObject& add(std::string_view key, double value) { return add(key, exactNumber(value)); }
     JsonObject& add(std::string_view key, std::size_t value) { return add(key, std::to_string(value)); }
-    [[nodiscard]] std::string text() const { return "{" + text_ + "}"; }
+    [[nodiscard]] std::string text() const { return enclosed('{', text_, '}'); }
 
 private:
     std::string text_;
@@ -90,7 +98,7 @@ std::string jsonList(const List& list, Item&& item)
         if (!text.empty()) text += ", ";
         text += item(entry);
     }
-    return "[" + text + "]";
+    return enclosed('[', text, ']');
 }
 
 std::string jsonCounts(const std::map<std::string, std::size_t>& counts)
@@ -102,7 +110,7 @@ std::string jsonCounts(const std::map<std::string, std::size_t>& counts)
 
 std::string jsonPoint(const Vec3& p)
 {
-    return "[" + exactNumber(p.x) + ", " + exactNumber(p.y) + ", " + exactNumber(p.z) + "]";
+    return enclosed('[', exactNumber(p.x) + ", " + exactNumber(p.y) + ", " + exactNumber(p.z), ']');
 }
 
 }  // namespace
@@ -165,7 +173,7 @@ std::string jsonOf(const ModelFacts& facts)
                                         .text());
     }
     if (const auto& angle = facts.smallestAngle) {
-        const std::string edges = "[" + quoted(nameOf(angle->first)) + ", " + quoted(nameOf(angle->second)) + "]";
+        const std::string edges = enclosed('[', quoted(nameOf(angle->first)) + ", " + quoted(nameOf(angle->second)), ']');
         object.add("smallest_angle", JsonObject()
                                          .add("vertex", quoted(nameOf(angle->vertex)))
                                          .add("edges", edges)

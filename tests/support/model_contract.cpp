@@ -186,7 +186,8 @@ private:
         double tolerance = 10.0 * face.tolerance + 1e-9 * size_;
         for (const BrepLoop& loop : face.loops) {
             for (const BrepCoedge& coedge : loop.coedges) {
-                tolerance = std::max({tolerance, 2.0 * model_.edges[coedge.edge].tolerance, 2.0 * coedge.gap});
+                // The trim may know a parameter curve on the other side of the edge than the one that replaced it.
+                tolerance = std::max({tolerance, 4.0 * model_.edges[coedge.edge].tolerance, 4.0 * coedge.gap});
             }
         }
         Random random(40);
