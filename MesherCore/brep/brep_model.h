@@ -48,12 +48,14 @@ struct BrepCoedge
     BrepEdgeId edge;
     bool isReversed = false;  ///< the loop runs against the edge's parameter
     std::shared_ptr<const ParameterCurve> parameterCurve;
-    double gap = 0.0;  ///< largest sampled distance between the edge's curve and its lift from the face, model units
+    double gap =
+        0.0;  ///< largest sampled distance between the edge's curve and its lift from the face, model units
 };
 
 struct BrepLoop
 {
-    std::vector<BrepCoedge> coedges;  ///< in order, the material of the face's surface (not reversed) to the left
+    std::vector<BrepCoedge>
+        coedges;  ///< in order, the material of the face's surface (not reversed) to the left
 };
 
 enum class TrimSide : std::uint8_t

@@ -34,10 +34,7 @@ const CosineTable& cosines()
 
 }  // namespace
 
-const std::array<double, kCount>& ChebyshevSeries::sampleAbscissae()
-{
-    return cosines().values[1];
-}
+const std::array<double, kCount>& ChebyshevSeries::sampleAbscissae() { return cosines().values[1]; }
 
 ChebyshevSeries ChebyshevSeries::fitted(const std::array<double, kSampleCount>& samples)
 {

@@ -37,7 +37,8 @@ bool overlap(const Box2& a, const Box2& b)
 class CrossingSearch
 {
 public:
-    CrossingSearch(const PlanarCurveComplex& complex, double tolerance) : complex_(complex), tolerance_(tolerance)
+    CrossingSearch(const PlanarCurveComplex& complex, double tolerance)
+        : complex_(complex), tolerance_(tolerance)
     {
         for (std::uint32_t c = 0; c < complex.curves.size(); ++c) {
             const PccCurve& curve = complex.curves[c];
@@ -78,7 +79,8 @@ private:
         piece.box.include(piece.first);
         piece.box.include(piece.last);
         // A piece that turns by more is cut before its box is looked at.
-        const double bulge = 0.5 * length(piece.last - piece.first) * std::tan(0.5 * std::min(piece.turn, 1.5));
+        const double bulge =
+            0.5 * length(piece.last - piece.first) * std::tan(0.5 * std::min(piece.turn, 1.5));
         const Vec2 margin{bulge, bulge};
         piece.box = {piece.box.low - margin, piece.box.high + margin};
         return piece;
@@ -87,7 +89,8 @@ private:
     std::pair<Piece, Piece> halves(const Piece& piece) const
     {
         const double middle = turning_[piece.curve].equalSplit(piece.part.first, piece.part.last);
-        return {makePiece(piece.curve, {piece.part.first, middle}), makePiece(piece.curve, {middle, piece.part.last})};
+        return {makePiece(piece.curve, {piece.part.first, middle}),
+                makePiece(piece.curve, {middle, piece.part.last})};
     }
 
     bool canBeCut(const Piece& piece) const
@@ -102,7 +105,8 @@ private:
         while (!open.empty()) {
             const Piece piece = open.back();
             open.pop_back();
-            const bool isWholeLoop = piece.part == whole.part && complex_.curves[whole.curve].first == complex_.curves[whole.curve].last;
+            const bool isWholeLoop = piece.part == whole.part &&
+                                     complex_.curves[whole.curve].first == complex_.curves[whole.curve].last;
             if ((piece.turn <= kLargestTurn && !isWholeLoop) || !canBeCut(piece)) {
                 pieces_.push_back(piece);
                 continue;
@@ -189,8 +193,10 @@ private:
         constexpr int kSamples = 8;
         const PccCurve& ca = complex_.curves[a.curve];
         const PccCurve& cb = complex_.curves[b.curve];
-        const bool isFromFirst = ca.first == point && (ca.last != point || a.part.first - ca.part.first < ca.part.last - a.part.last);
-        const Interval between = isFromFirst ? Interval{ca.part.first, a.part.first} : Interval{a.part.last, ca.part.last};
+        const bool isFromFirst = ca.first == point && (ca.last != point || a.part.first - ca.part.first <
+                                                                               ca.part.last - a.part.last);
+        const Interval between =
+            isFromFirst ? Interval{ca.part.first, a.part.first} : Interval{a.part.last, ca.part.last};
         for (int i = 1; i < kSamples; ++i) {
             const Vec3 p = ca.curve->position(between.at(static_cast<double>(i) / kSamples));
             if (cb.curve->project(p, cb.part).distance > 8.0 * tolerance_ + reach_[point.value]) return false;
@@ -229,7 +235,8 @@ private:
         if (isSmall || --pairsLeft_ < 0 || (!canBeCut(a) && !canBeCut(b))) {
             if (areNextOnOneCurve(a, b) || isStillCommon(a, b)) return {};
             const Vec2 where = 0.25 * (a.first + a.last + b.first + b.last);
-            return CurveCrossing{PccCurveId(std::min(a.curve, b.curve)), PccCurveId(std::max(a.curve, b.curve)), where};
+            return CurveCrossing{PccCurveId(std::min(a.curve, b.curve)),
+                                 PccCurveId(std::max(a.curve, b.curve)), where};
         }
         const bool cutsA = canBeCut(a) && (a.size() >= b.size() || !canBeCut(b));
         const auto [left, right] = halves(cutsA ? a : b);
@@ -242,7 +249,7 @@ private:
     double tolerance_;
     std::vector<TangentVariation> turning_;
     std::vector<Piece> pieces_;
-    std::vector<double> reach_;  ///< of each point: within it curves count as meeting in the point
+    std::vector<double> reach_;        ///< of each point: within it curves count as meeting in the point
     std::vector<CommonPoint> common_;  ///< of the pair at hand
     int pairsLeft_ = kMostPairs;
 };

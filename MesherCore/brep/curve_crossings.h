@@ -24,6 +24,7 @@ struct CurveCrossing
 /// Requires     curves that end near their points
 /// Terminates   always: pieces shorter than the tolerance are not divided; after a million pairs two curves count as touching
 /// Cost         n log n for n pieces that turn by pi / 8, while few boxes overlap
-[[nodiscard]] std::optional<CurveCrossing> findCurveCrossing(const PlanarCurveComplex& complex, double tolerance);
+[[nodiscard]] std::optional<CurveCrossing> findCurveCrossing(const PlanarCurveComplex& complex,
+                                                             double tolerance);
 
 }  // namespace mesher

@@ -87,7 +87,8 @@ std::vector<double> TangentVariation::stations(Interval span) const
 {
     std::vector<double> corners{span.first};
     for (const TangentCell& cell : table_.cells) {
-        if (span.first < cell.range.first && cell.range.first < span.last) corners.push_back(cell.range.first);
+        if (span.first < cell.range.first && cell.range.first < span.last)
+            corners.push_back(cell.range.first);
     }
     corners.push_back(span.last);
     std::vector<double> stations{span.first};

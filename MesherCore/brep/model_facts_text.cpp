@@ -121,24 +121,27 @@ std::string textOf(const ModelFacts& facts)
     std::string text;
     text += std::to_string(facts.solids) + " solids, " + std::to_string(facts.shells) + " shells (" +
             std::to_string(facts.openShells) + " open), " + std::to_string(facts.faces) + " faces, " +
-            std::to_string(facts.edges) + " edges (" + std::to_string(facts.degenerateEdges) + " degenerate), " +
-            std::to_string(facts.vertices) + " vertices\n";
+            std::to_string(facts.edges) + " edges (" + std::to_string(facts.degenerateEdges) +
+            " degenerate), " + std::to_string(facts.vertices) + " vertices\n";
     text += "faces: " + listOf(facts.facesByType) + "\nedges: " + listOf(facts.edgesByType) + "\n";
     const Vec3 extent = facts.box.isEmpty() ? Vec3{} : facts.box.extent();
-    text += "box: " + shortNumber(extent.x) + " x " + shortNumber(extent.y) + " x " + shortNumber(extent.z) + " " + facts.unit +
-            "; area " + shortNumber(facts.area) + ", edges' length " + shortNumber(facts.length) + "\n";
-    text += "largest tolerance: " + shortNumber(facts.largestTolerance.value) + " (" + facts.largestTolerance.entity + "), " +
-            std::to_string(facts.looseTolerances) + " above 1e-7\n";
+    text += "box: " + shortNumber(extent.x) + " x " + shortNumber(extent.y) + " x " + shortNumber(extent.z) +
+            " " + facts.unit + "; area " + shortNumber(facts.area) + ", edges' length " +
+            shortNumber(facts.length) + "\n";
+    text += "largest tolerance: " + shortNumber(facts.largestTolerance.value) + " (" +
+            facts.largestTolerance.entity + "), " + std::to_string(facts.looseTolerances) + " above 1e-7\n";
     if (facts.smallestEdge) {
-        text += "smallest edge: " + nameOf(facts.smallestEdge->edge) + ", " + shortNumber(facts.smallestEdge->length) + "\n";
+        text += "smallest edge: " + nameOf(facts.smallestEdge->edge) + ", " +
+                shortNumber(facts.smallestEdge->length) + "\n";
     }
     if (facts.smallestAngle) {
         text += "smallest angle: " + shortNumber(facts.smallestAngle->degrees) + " degrees at " +
-                nameOf(facts.smallestAngle->vertex) + " between " + nameOf(facts.smallestAngle->first) + " and " +
-                nameOf(facts.smallestAngle->second) + "\n";
+                nameOf(facts.smallestAngle->vertex) + " between " + nameOf(facts.smallestAngle->first) +
+                " and " + nameOf(facts.smallestAngle->second) + "\n";
     }
     appendList(text, "sliver faces", facts.slivers, [](const SliverFact& sliver) {
-        return nameOf(sliver.face) + ", width " + shortNumber(sliver.width) + ", perimeter " + shortNumber(sliver.perimeter);
+        return nameOf(sliver.face) + ", width " + shortNumber(sliver.width) + ", perimeter " +
+               shortNumber(sliver.perimeter);
     });
     appendList(text, "gaps", facts.gaps, [](const GapFact& gap) {
         return nameOf(gap.edge) + " lies " + shortNumber(gap.distance) + " off " + nameOf(gap.face);
@@ -158,7 +161,8 @@ std::string jsonOf(const ModelFacts& facts)
     object.add("solids", facts.solids).add("shells", facts.shells).add("open_shells", facts.openShells);
     object.add("faces", facts.faces).add("edges", facts.edges).add("vertices", facts.vertices);
     object.add("degenerate_edges", facts.degenerateEdges);
-    object.add("faces_by_type", jsonCounts(facts.facesByType)).add("edges_by_type", jsonCounts(facts.edgesByType));
+    object.add("faces_by_type", jsonCounts(facts.facesByType))
+        .add("edges_by_type", jsonCounts(facts.edgesByType));
     object.add("box_low", jsonPoint(facts.box.low)).add("box_high", jsonPoint(facts.box.high));
     object.add("area", facts.area).add("length", facts.length);
     object.add("largest_tolerance", JsonObject()
@@ -173,7 +177,8 @@ std::string jsonOf(const ModelFacts& facts)
                                         .text());
     }
     if (const auto& angle = facts.smallestAngle) {
-        const std::string edges = enclosed('[', quoted(nameOf(angle->first)) + ", " + quoted(nameOf(angle->second)), ']');
+        const std::string edges =
+            enclosed('[', quoted(nameOf(angle->first)) + ", " + quoted(nameOf(angle->second)), ']');
         object.add("smallest_angle", JsonObject()
                                          .add("vertex", quoted(nameOf(angle->vertex)))
                                          .add("edges", edges)
@@ -181,12 +186,18 @@ std::string jsonOf(const ModelFacts& facts)
                                          .text());
     }
     object.add("sliver_faces", jsonList(facts.slivers, [](const SliverFact& sliver) {
-                   return JsonObject().add("face", quoted(nameOf(sliver.face))).add("width", sliver.width)
-                       .add("perimeter", sliver.perimeter).text();
+                   return JsonObject()
+                       .add("face", quoted(nameOf(sliver.face)))
+                       .add("width", sliver.width)
+                       .add("perimeter", sliver.perimeter)
+                       .text();
                }));
     object.add("gaps", jsonList(facts.gaps, [](const GapFact& gap) {
-                   return JsonObject().add("edge", quoted(nameOf(gap.edge))).add("face", quoted(nameOf(gap.face)))
-                       .add("distance", gap.distance).text();
+                   return JsonObject()
+                       .add("edge", quoted(nameOf(gap.edge)))
+                       .add("face", quoted(nameOf(gap.face)))
+                       .add("distance", gap.distance)
+                       .text();
                }));
     object.add("free_edges", jsonList(facts.freeEdges, edgeName));
     object.add("non_manifold_edges", jsonList(facts.nonManifoldEdges, edgeName));

@@ -78,7 +78,8 @@ private:
             ++facts_.shells;
             if (!shell.isClosed) ++facts_.openShells;
         };
-        for (const BrepSolid& solid : model_.solids) std::for_each(solid.shells.begin(), solid.shells.end(), count);
+        for (const BrepSolid& solid : model_.solids)
+            std::for_each(solid.shells.begin(), solid.shells.end(), count);
         std::for_each(model_.looseShells.begin(), model_.looseShells.end(), count);
     }
 
@@ -160,7 +161,8 @@ private:
         }
         const auto sumOf = [&](std::size_t step) {
             double sum = 0.0;
-            for (std::size_t i = step; i <= kSteps; i += step) sum += 0.5 * (v[i] - v[i - step]) * (strip[i] + strip[i - step]);
+            for (std::size_t i = step; i <= kSteps; i += step)
+                sum += 0.5 * (v[i] - v[i - step]) * (strip[i] + strip[i - step]);
             return sum;
         };
         const double sum = (4.0 * sumOf(1) - sumOf(2)) / 3.0;
@@ -170,8 +172,8 @@ private:
     static double stripArea(const Surface& surface, double left, Vec2 end)
     {
         // Gauss' rule of four points in each of two panels.
-        constexpr std::array<double, 4> kAbscissae{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
-                                                   0.8611363115940526};
+        constexpr std::array<double, 4> kAbscissae{-0.8611363115940526, -0.3399810435848563,
+                                                   0.3399810435848563, 0.8611363115940526};
         constexpr std::array<double, 4> kWeights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
                                                  0.3478548451374538};
         double sum = 0.0;
@@ -213,9 +215,11 @@ private:
                 for (std::size_t j = i + 1; j < rays[v].size(); ++j) {
                     const Vec3 a = rays[v][i].direction, b = rays[v][j].direction;
                     if (!(squaredLength(a) > 0.0) || !(squaredLength(b) > 0.0)) continue;
-                    const double angle = std::atan2(length(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
+                    const double angle =
+                        std::atan2(length(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
                     if (facts_.smallestAngle && facts_.smallestAngle->degrees <= angle) continue;
-                    facts_.smallestAngle = AngleFact{BrepVertexId(v), rays[v][i].edge, rays[v][j].edge, angle};
+                    facts_.smallestAngle =
+                        AngleFact{BrepVertexId(v), rays[v][i].edge, rays[v][j].edge, angle};
                 }
             }
         }
@@ -246,9 +250,6 @@ private:
 
 }  // namespace
 
-ModelFacts inspectModel(const BrepModel& model)
-{
-    return Inspection(model).run();
-}
+ModelFacts inspectModel(const BrepModel& model) { return Inspection(model).run(); }
 
 }  // namespace mesher

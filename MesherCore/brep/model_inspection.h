@@ -68,12 +68,12 @@ struct ModelFacts
     std::size_t looseTolerances = 0;  ///< entities above 1e-7
     std::optional<EdgeLengthFact> smallestEdge;
     std::optional<AngleFact> smallestAngle;
-    std::vector<SliverFact> slivers;          ///< thinnest first
-    std::vector<GapFact> gaps;                ///< widest first
-    std::vector<BrepEdgeId> freeEdges;        ///< the border of a face on one side only
-    std::vector<BrepEdgeId> nonManifoldEdges; ///< of three face sides or more
-    std::vector<BrepEdgeId> looseEdges;       ///< of no face
-    std::vector<std::string> notes;           ///< of the model
+    std::vector<SliverFact> slivers;           ///< thinnest first
+    std::vector<GapFact> gaps;                 ///< widest first
+    std::vector<BrepEdgeId> freeEdges;         ///< the border of a face on one side only
+    std::vector<BrepEdgeId> nonManifoldEdges;  ///< of three face sides or more
+    std::vector<BrepEdgeId> looseEdges;        ///< of no face
+    std::vector<std::string> notes;            ///< of the model
 };
 
 /// Guarantees   measures are numbers by quadrature, right to about 1e-6 on smooth faces; names and order are the model's

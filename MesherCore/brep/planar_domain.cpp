@@ -58,10 +58,16 @@ private:
     {
         const BrepFaceId id = faces_[index];
         if (id.value >= model_.faces.size()) {
-            return Error{ErrorCode::InvalidArgument, "the model has no such face", nameOf(id), {}, "name a face of the model"};
+            return Error{ErrorCode::InvalidArgument,
+                         "the model has no such face",
+                         nameOf(id),
+                         {},
+                         "name a face of the model"};
         }
-        if (std::find(faces_.begin(), faces_.begin() + static_cast<std::ptrdiff_t>(index), id) != faces_.begin() + static_cast<std::ptrdiff_t>(index)) {
-            return Error{ErrorCode::InvalidArgument, "the face is named twice", nameOf(id), {}, "name each face once"};
+        if (std::find(faces_.begin(), faces_.begin() + static_cast<std::ptrdiff_t>(index), id) !=
+            faces_.begin() + static_cast<std::ptrdiff_t>(index)) {
+            return Error{
+                ErrorCode::InvalidArgument, "the face is named twice", nameOf(id), {}, "name each face once"};
         }
         const Result<PlaneFrame> frame = planeOfFace(model_, id);
         if (!frame) return frame.error();
@@ -79,15 +85,18 @@ private:
         if (face.loops.empty()) return broken(nameOf(id), "the face has no wire", {}, "repair the face");
         double area = 0.0, length_ = 0.0;
         for (const BrepLoop& loop : face.loops) {
-            if (loop.coedges.empty()) return broken(nameOf(id), "a wire of the face is empty", {}, "repair the face");
+            if (loop.coedges.empty())
+                return broken(nameOf(id), "a wire of the face is empty", {}, "repair the face");
             if (auto closed = refuseOpenWire(id, loop); !closed) return closed;
             addArea(loop, area, length_);
         }
         if (isTurned) area = -area;
         if (std::abs(area) <= std::max(face.tolerance, 1e-12 * length_) * length_) {
-            return broken(nameOf(id), "the face has no area: " + shortNumber(area), {}, "remove or repair the face");
+            return broken(nameOf(id), "the face has no area: " + shortNumber(area), {},
+                          "remove or repair the face");
         }
-        if (area < 0.0) return broken(nameOf(id), "the wires of the face run the wrong way round", {}, "repair the face");
+        if (area < 0.0)
+            return broken(nameOf(id), "the wires of the face run the wrong way round", {}, "repair the face");
         return {};
     }
 
@@ -98,12 +107,14 @@ private:
             const BrepCoedge& next = loop.coedges[(i + 1) % loop.coedges.size()];
             const BrepEdge& edge = model_.edges[coedge.edge];
             if (!edge.curve) {
-                return broken(nameOf(id), nameOf(coedge.edge) + " of its wire has no curve", {}, "repair the face");
+                return broken(nameOf(id), nameOf(coedge.edge) + " of its wire has no curve", {},
+                              "repair the face");
             }
             const BrepVertexId head = coedge.isReversed ? edge.first : edge.last;
             const BrepEdge& following = model_.edges[next.edge];
             if (head == (next.isReversed ? following.last : following.first)) continue;
-            return broken(nameOf(id), "its wire is open between " + nameOf(coedge.edge) + " and " + nameOf(next.edge),
+            return broken(nameOf(id),
+                          "its wire is open between " + nameOf(coedge.edge) + " and " + nameOf(next.edge),
                           model_.vertices[head].position, "close the wire");
         }
         return {};
@@ -118,7 +129,8 @@ private:
             const double sign = coedge.isReversed ? -1.0 : 1.0;
             Vec2 before = complex_.frame.toPlane(edge.curve->position(edge.part.first));
             for (int i = 1; i <= kChords; ++i) {
-                const Vec2 here = complex_.frame.toPlane(edge.curve->position(edge.part.at(static_cast<double>(i) / kChords)));
+                const Vec2 here = complex_.frame.toPlane(
+                    edge.curve->position(edge.part.at(static_cast<double>(i) / kChords)));
                 area += 0.5 * sign * cross(before, here);
                 perimeter += length(here - before);
                 before = here;
@@ -134,8 +146,10 @@ private:
                 EdgeSides& sides = sides_[coedge.edge];
                 RegionId& side = coedge.isReversed != isTurned ? sides.right : sides.left;
                 if (side != RegionId(0u)) {
-                    return broken(nameOf(coedge.edge), complex_.regionNames[side.value - 1] + " and " + nameOf(id) +
-                                                           " lie on the same side of it", {}, "name faces that do not overlap");
+                    return broken(nameOf(coedge.edge),
+                                  complex_.regionNames[side.value - 1] + " and " + nameOf(id) +
+                                      " lie on the same side of it",
+                                  {}, "name faces that do not overlap");
                 }
                 side = region;
             }
@@ -147,7 +161,8 @@ private:
 
     PccPointId pointOf(BrepVertexId id)
     {
-        const auto [entry, isNew] = points_.try_emplace(id, static_cast<std::uint32_t>(complex_.points.size()));
+        const auto [entry, isNew] =
+            points_.try_emplace(id, static_cast<std::uint32_t>(complex_.points.size()));
         if (isNew) {
             const Vec3 position = model_.vertices[id].position;
             complex_.points.push_back({complex_.frame.toPlane(position), position, id});
@@ -169,8 +184,8 @@ private:
             const BrepEdge& edge = model_.edges[id];
             if (!edge.curve) return broken(nameOf(id), "the edge has no curve", {}, "repair the face");
             if (auto inPlane = refuseEdgeOffPlane(id); !inPlane) return inPlane;
-            complex_.curves.push_back(
-                {edge.curve, edge.part, pointOf(edge.first), pointOf(edge.last), sides.left, sides.right, id});
+            complex_.curves.push_back({edge.curve, edge.part, pointOf(edge.first), pointOf(edge.last),
+                                       sides.left, sides.right, id});
         }
         return {};
     }
@@ -191,13 +206,16 @@ private:
         }
         const double allowed = std::max(edge.tolerance, 1e-7);
         if (largest <= allowed) return {};
-        return broken(nameOf(id), "the edge lies " + shortNumber(largest) + " off the plane of " + complex_.regionNames.front(),
+        return broken(nameOf(id),
+                      "the edge lies " + shortNumber(largest) + " off the plane of " +
+                          complex_.regionNames.front(),
                       worst, "name faces of one plane, or repair the edge");
     }
 
     void addEmbeddedPoints()
     {
-        for (const auto& [vertex, region] : embedded_) complex_.embeddedPoints.push_back({pointOf(vertex), region});
+        for (const auto& [vertex, region] : embedded_)
+            complex_.embeddedPoints.push_back({pointOf(vertex), region});
     }
 
     Result<void> refuseCrossing() const
@@ -212,11 +230,13 @@ private:
         }
         const std::optional<CurveCrossing> found = findCurveCrossing(complex_, kShareOfSize * size);
         if (!found) return {};
-        const std::string a = nameOf(complex_.curves[found->a.value].edge), b = nameOf(complex_.curves[found->b.value].edge);
+        const std::string a = nameOf(complex_.curves[found->a.value].edge),
+                          b = nameOf(complex_.curves[found->b.value].edge);
         const std::string message =
             a == b ? "the edge meets itself" : "the edges meet away from a common vertex";
         return Error{ErrorCode::IntersectingConstraints, message, a == b ? a : a + " and " + b,
-                     complex_.frame.toSpace(found->position), "split them at a common vertex or move them apart"};
+                     complex_.frame.toSpace(found->position),
+                     "split them at a common vertex or move them apart"};
     }
 
     const BrepModel& model_;

@@ -15,6 +15,7 @@ namespace mesher {
 /// Requires     faces that lie in one plane, edges too, within their tolerances, also planes that the file gives as splines;
 ///              closed wires that run around their material and do not cross themselves; else an Error that names face and
 ///              edges and the point. An edge may have one face of the list on each side.
-[[nodiscard]] Result<PlanarCurveComplex> planarCurveComplex(const BrepModel& model, std::span<const BrepFaceId> faces);
+[[nodiscard]] Result<PlanarCurveComplex> planarCurveComplex(const BrepModel& model,
+                                                            std::span<const BrepFaceId> faces);
 
 }  // namespace mesher

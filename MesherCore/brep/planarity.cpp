@@ -33,7 +33,8 @@ std::vector<Vec3> sampleFace(const BrepFace& face)
     std::vector<Vec3> points;
     for (int i = 0; i <= kSamples; ++i) {
         for (int j = 0; j <= kSamples; ++j) {
-            const Vec2 uv{face.boundsU.at(static_cast<double>(i) / kSamples), face.boundsV.at(static_cast<double>(j) / kSamples)};
+            const Vec2 uv{face.boundsU.at(static_cast<double>(i) / kSamples),
+                          face.boundsV.at(static_cast<double>(j) / kSamples)};
             if (face.trim->classify(uv) != TrimSide::Outside) points.push_back(face.surface->position(uv));
         }
     }
@@ -65,7 +66,8 @@ Result<PlaneFrame> planeOfFace(const BrepModel& model, BrepFaceId id)
     std::vector<Vec3> points = sampleBoundary(model, face);
     const Vec3 normal = points.empty() ? Vec3{} : normalOf(points);
     if (!(squaredLength(normal) > 0.0)) {
-        return Error{ErrorCode::DegenerateInput, "the face spans no plane", nameOf(id), {}, "choose plane faces"};
+        return Error{
+            ErrorCode::DegenerateInput, "the face spans no plane", nameOf(id), {}, "choose plane faces"};
     }
     PlaneFrame frame;
     frame.normal = (1.0 / length(normal)) * normal;
@@ -88,7 +90,11 @@ Result<PlaneFrame> planeOfFace(const BrepModel& model, BrepFaceId id)
         std::ostringstream message;
         message.precision(3);
         message << "the face is not plane: it departs from its best plane by " << distance;
-        return Error{ErrorCode::DegenerateInput, message.str(), nameOf(id), {}, "choose plane faces or mesh in three dimensions"};
+        return Error{ErrorCode::DegenerateInput,
+                     message.str(),
+                     nameOf(id),
+                     {},
+                     "choose plane faces or mesh in three dimensions"};
     }
     return frame;
 }

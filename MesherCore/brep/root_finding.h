@@ -41,7 +41,8 @@ template <class Function>
         const double phi = (f1 - f2) / (f3 - f2);
         t = 0.5;
         if (phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {
-            t = f1 / (f2 - f1) * (f3 / (f2 - f3)) + (x3 - x1) / (x2 - x1) * (f1 / (f3 - f1)) * (f2 / (f3 - f2));
+            t = f1 / (f2 - f1) * (f3 / (f2 - f3)) +
+                (x3 - x1) / (x2 - x1) * (f1 / (f3 - f1)) * (f2 / (f3 - f2));
         }
         t = std::clamp(t, limit, 1.0 - limit);
     }

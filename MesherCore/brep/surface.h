@@ -55,7 +55,8 @@ struct SurfaceCurvature
 };
 
 /// Range of a parameter that has no end; the bounds of a face on such a surface are finite.
-inline constexpr Interval kUnbounded{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+inline constexpr Interval kUnbounded{-std::numeric_limits<double>::infinity(),
+                                     std::numeric_limits<double>::infinity()};
 
 /// The geometry of an untrimmed surface of a B-rep model.
 ///
@@ -77,7 +78,8 @@ public:
     [[nodiscard]] virtual SurfacePoint evaluate(Vec2 uv) const = 0;
     /// Without a seed the closest point over the whole surface, at whatever cost. In a periodic direction the parameter is
     /// the image nearest to the seed, without one that in the range.
-    [[nodiscard]] virtual SurfaceProjection project(const Vec3& point, std::optional<Vec2> seed = {}) const = 0;
+    [[nodiscard]] virtual SurfaceProjection project(const Vec3& point,
+                                                    std::optional<Vec2> seed = {}) const = 0;
     /// The frame of a plane, in which (x, y) = (u, v).
     [[nodiscard]] virtual std::optional<PlaneFrame> planeFrame() const { return {}; }
     /// Ascending parameters inside the range between which the surface is analytic.

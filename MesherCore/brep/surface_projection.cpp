@@ -1,5 +1,7 @@
 #include "brep/surface_projection.h"
 
+#include "brep/analytic/periodic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +19,8 @@ std::optional<Vec2> solve(double a, double b, double c, Vec2 gradient)
 {
     const double determinant = a * c - b * b;
     if (!(a > 0.0) || !(determinant > 1e-8 * a * c)) return {};
-    return Vec2{(b * gradient.y - c * gradient.x) / determinant, (b * gradient.x - a * gradient.y) / determinant};
+    return Vec2{(b * gradient.y - c * gradient.x) / determinant,
+                (b * gradient.x - a * gradient.y) / determinant};
 }
 
 /// Newton's step where the distance is convex, else that of Gauss and Newton, else down the gradient; a parameter at an end
@@ -60,7 +63,8 @@ std::vector<double> gridLines(Interval window, std::span<const double> knots)
     }
     borders.push_back(window.last);
     const std::size_t pieces = borders.size() - 1;
-    const std::size_t perPiece = std::clamp((kFewest + pieces - 1) / pieces, pieces * kPerPiece > kMost ? 2 : kPerPiece, kFewest);
+    const std::size_t perPiece =
+        std::clamp((kFewest + pieces - 1) / pieces, pieces * kPerPiece > kMost ? 2 : kPerPiece, kFewest);
     std::vector<double> lines;
     for (std::size_t i = 0; i < pieces; ++i) {
         const Interval piece{borders[i], borders[i + 1]};
@@ -70,6 +74,15 @@ std::vector<double> gridLines(Interval window, std::span<const double> knots)
     }
     lines.push_back(window.last);
     return lines;
+}
+
+/// The range where it ends, the window where it does not.
+Interval searchWindow(Interval range, Interval window, double period)
+{
+    if (period > 0.0) return {range.first, range.first + period};
+    const double margin = window.length();
+    return {std::isfinite(range.first) ? range.first : window.first - margin,
+            std::isfinite(range.last) ? range.last : window.last + margin};
 }
 
 }  // namespace
@@ -89,11 +102,13 @@ SurfaceProjection projectFromSeed(const Surface& surface, const Vec3& point, Vec
                                 isHeld(uv.y, dot(d, p.dv), windowV, periodV));
         const Vec3 motion = move.x * p.du + move.y * p.dv;
         // Below rounding of the point no step can be told from none.
-        const double least = kRounding * 0.25 * (std::abs(p.position.x) + std::abs(p.position.y) + std::abs(p.position.z));
+        const double least =
+            kRounding * 0.25 * (std::abs(p.position.x) + std::abs(p.position.y) + std::abs(p.position.z));
         if (length(motion) <= least) break;
         bool isLower = false;
         for (int halving = 0; halving < kMostHalvings && !isLower; ++halving) {
-            const Vec2 next{bounded(uv.x + move.x, windowU, periodU), bounded(uv.y + move.y, windowV, periodV)};
+            const Vec2 next{bounded(uv.x + move.x, windowU, periodU),
+                            bounded(uv.y + move.y, windowV, periodV)};
             if (next == uv) break;
             const SurfacePoint q = surface.evaluate(next);
             const double reached = length(q.position - point);
@@ -141,16 +156,37 @@ SurfaceProjection SurfaceGrid::project(const Surface& surface, const Vec3& point
             if (isLocalMinimum(distances, i, j)) seeds.push_back(i * v_.size() + j);
         }
     }
-    std::stable_sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+    std::stable_sort(seeds.begin(), seeds.end(),
+                     [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
     seeds.resize(std::min(seeds.size(), kMostSeeds));
     SurfaceProjection best;
     best.distance = std::numeric_limits<double>::infinity();
     for (const std::size_t k : seeds) {
         const Vec2 seed{u_[k / v_.size()], v_[k % v_.size()]};
-        const SurfaceProjection found = projectFromSeed(surface, point, seed, {u_.front(), u_.back()}, {v_.front(), v_.back()});
+        const SurfaceProjection found =
+            projectFromSeed(surface, point, seed, {u_.front(), u_.back()}, {v_.front(), v_.back()});
         if (found.distance < best.distance) best = found;
     }
     return best;
+}
+
+SurfaceProjection SurfaceSearch::project(const Surface& surface, const Vec3& point,
+                                         std::optional<Vec2> seed) const
+{
+    if (seed) return projectFromSeed(surface, point, *seed, surface.rangeU(), surface.rangeV());
+    const double periodU = surface.periodU(), periodV = surface.periodV();
+    if (!grids_) {
+        grids_ = std::make_shared<const Grids>(
+            Grids{SurfaceGrid(surface, windowU_, windowV_),
+                  SurfaceGrid(surface, searchWindow(surface.rangeU(), windowU_, periodU),
+                              searchWindow(surface.rangeV(), windowV_, periodV))});
+    }
+    SurfaceProjection found = grids_->face.project(surface, point);
+    const SurfaceProjection elsewhere = grids_->whole.project(surface, point);
+    if (elsewhere.distance < found.distance) found = elsewhere;
+    if (periodU > 0.0) found.parameters.x = wrapInto(found.parameters.x, surface.rangeU().first, periodU);
+    if (periodV > 0.0) found.parameters.y = wrapInto(found.parameters.y, surface.rangeV().first, periodV);
+    return found;
 }
 
 }  // namespace mesher

@@ -31,10 +31,7 @@ struct Samples
     std::array<Vec3, kCount> binormal;
 };
 
-Vec3 binormalOf(const CurvePoint& p)
-{
-    return cross(p.d1, p.d2);
-}
+Vec3 binormalOf(const CurvePoint& p) { return cross(p.d1, p.d2); }
 
 Samples sample(const Curve& curve, Interval range)
 {
@@ -52,10 +49,7 @@ Samples sample(const Curve& curve, Interval range)
     return samples;
 }
 
-double angleBetween(Vec3 a, Vec3 b)
-{
-    return std::atan2(length(cross(a, b)), dot(a, b));
-}
+double angleBetween(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 Vec3 unit(Vec3 a)
 {
@@ -74,8 +68,7 @@ Vec3 tangentBeside(const Curve& curve, double t, double step)
 class TableBuilder
 {
 public:
-    TableBuilder(const Curve& curve, Interval part)
-        : curve_(curve), whole_(part), size_(sizeOf(curve, part))
+    TableBuilder(const Curve& curve, Interval part) : curve_(curve), whole_(part), size_(sizeOf(curve, part))
     {
     }
 
@@ -102,7 +95,8 @@ private:
         constexpr int kChords = 8;
         double sum = 0.0;
         for (int i = 0; i < kChords; ++i) {
-            sum += length(curve.position(part.at((i + 1.0) / kChords)) - curve.position(part.at((i + 0.0) / kChords)));
+            sum += length(curve.position(part.at((i + 1.0) / kChords)) -
+                          curve.position(part.at((i + 0.0) / kChords)));
         }
         return sum;
     }
@@ -118,7 +112,8 @@ private:
             const ChebyshevSeries speed = ChebyshevSeries::fitted(samples.speed);
             const double half = 0.5 * cell.length();
             const bool isResolved = turning.tail() * half <= kTolerance &&
-                                    speed.tail() * half <= kTolerance * size_ && !hidesJump(samples, turning, half);
+                                    speed.tail() * half <= kTolerance * size_ &&
+                                    !hidesJump(samples, turning, half);
             const bool isNarrow = cell.length() <= kNarrowest * whole_.length();
             if (isResolved || isNarrow) {
                 addCell(cell, isResolved, turning, speed);
@@ -134,11 +129,13 @@ private:
     static bool hidesJump(const Samples& samples, const ChebyshevSeries& turning, double half)
     {
         double seen = 0.0;
-        for (std::size_t k = 0; k + 1 < kCount; ++k) seen += angleBetween(samples.tangent[k], samples.tangent[k + 1]);
+        for (std::size_t k = 0; k + 1 < kCount; ++k)
+            seen += angleBetween(samples.tangent[k], samples.tangent[k + 1]);
         return seen > half * turning.primitive().at(1.0) + kSmallestJump;
     }
 
-    void addCell(Interval range, bool isResolved, const ChebyshevSeries& turning, const ChebyshevSeries& speed)
+    void addCell(Interval range, bool isResolved, const ChebyshevSeries& turning,
+                 const ChebyshevSeries& speed)
     {
         TangentCell cell;
         cell.range = range;
@@ -161,9 +158,11 @@ private:
                 other < -0.9 * length(reference) * length(samples.binormal[k + 1]) &&
                 std::min(samples.turning[k], samples.turning[k + 1]) * cell.length() > kTolerance;
             if (!isOpposed) continue;
-            const auto alongReference = [&](double t) { return dot(binormalOf(curve_.evaluate(t)), reference); };
-            const double root = findRoot(alongReference, samples.parameters[k + 1], samples.parameters[k], other,
-                                         squaredLength(reference), 0.0);
+            const auto alongReference = [&](double t) {
+                return dot(binormalOf(curve_.evaluate(t)), reference);
+            };
+            const double root = findRoot(alongReference, samples.parameters[k + 1], samples.parameters[k],
+                                         other, squaredLength(reference), 0.0);
             const double margin = 1e-6 * cell.length();
             if (cell.first + margin < root && root < cell.last - margin) return root;
         }
@@ -180,7 +179,8 @@ private:
         if (next == table_.cells.size()) return 0.0;
         const Interval before = table_.cells[i - 1].range;
         const Interval after = table_.cells[next].range;
-        const double step = std::min({kSideStep * whole_.length(), 0.25 * before.length(), 0.25 * after.length()});
+        const double step =
+            std::min({kSideStep * whole_.length(), 0.25 * before.length(), 0.25 * after.length()});
         const double angle =
             angleBetween(tangentBeside(curve_, before.last, -step), tangentBeside(curve_, after.first, step));
         return angle > kSmallestJump ? angle : 0.0;
@@ -213,9 +213,6 @@ private:
 
 }  // namespace
 
-TangentTable tabulateTangent(const Curve& curve, Interval part)
-{
-    return TableBuilder(curve, part).build();
-}
+TangentTable tabulateTangent(const Curve& curve, Interval part) { return TableBuilder(curve, part).build(); }
 
 }  // namespace mesher

@@ -21,7 +21,7 @@ struct TangentCell
     Interval range;
     double variationBefore = 0.0;  ///< total up to range.first, without the jump that may be there
     double lengthBefore = 0.0;
-    double jumpBefore = 0.0;  ///< the sum of the jumps in (start of the table, range.first]
+    double jumpBefore = 0.0;    ///< the sum of the jumps in (start of the table, range.first]
     ChebyshevSeries variation;  ///< from range.first, over the range mapped to [-1, 1]
     ChebyshevSeries length;
 

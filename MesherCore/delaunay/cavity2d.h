@@ -5,7 +5,6 @@
 #include "predicates/static_filter.h"
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace mesher {
@@ -34,8 +33,26 @@ struct Cavity2d
     /// Of the state in which the cavity was found; Delaunay2d tells a stale cavity by it.
     std::uint64_t revision = 0;
 
+    /// An edge the search has yet to cross and the region it comes from, packed: written as two words and read as
+    /// one, it would have to wait for the write to reach the cache each time.
+    class PendingEdge
+    {
+    public:
+        PendingEdge(EdgeLink side, RegionId region) : packed_(std::uint64_t{side.packed} << 32 | region.value)
+        {
+        }
+        [[nodiscard]] EdgeLink side() const
+        {
+            const auto packed = static_cast<std::uint32_t>(packed_ >> 32);
+            return EdgeLink(TriangleId(packed >> 2), packed & 3u);
+        }
+        [[nodiscard]] RegionId region() const { return RegionId(static_cast<std::uint32_t>(packed_)); }
+
+    private:
+        std::uint64_t packed_;
+    };
     /// Scratch of the search.
-    std::vector<std::pair<EdgeLink, RegionId>> pending;
+    std::vector<PendingEdge> pending;
     std::vector<TriangleId> excluded;
 };
 
@@ -55,8 +72,8 @@ enum class StarCheck
 ///              is the walk of a tree and needs no marks
 /// Cost         linear in the size of the cavity, 6 edges expected
 /// Reference    [bowyer1981] [watson1981]; thesis sections 1.2.2 and 1.2.4
-void findCavity(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec2 point, const Location2d& location,
-                StarCheck check, Cavity2d& cavity);
+void findCavity(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec2 point,
+                const Location2d& location, StarCheck check, Cavity2d& cavity);
 
 /// Inserts the vertex, which must have the cavity's point for its position: the cavity becomes a fan around it. Cannot
 /// fail. The mesh must be in the state in which the cavity was found.

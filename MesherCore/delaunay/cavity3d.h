@@ -57,7 +57,12 @@ struct Cavity3d
 /// The constraint that an insertion is allowed to cut, because the point lies on it.
 struct CavitySplit3d
 {
-    enum class Kind : std::uint8_t { None, Face, Edge };
+    enum class Kind : std::uint8_t
+    {
+        None,
+        Face,
+        Edge
+    };
 
     Kind kind = Kind::None;
     /// The ends of the edge, or the corners of the face.
@@ -107,6 +112,8 @@ private:
     void prefetchAround(TetId tet) const;
     bool isCrossingForbidden(TetFace face) const;
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
+    bool isSplitPerimeter(VertexId a, VertexId b) const;
+    void collectSplitPerimeter(std::span<const TetId> seeds);
     void addFace(const TetRecord& inner, unsigned face, TetFace outer);
 
     void refloodFromSeeds(std::span<const TetId> seeds);

@@ -5,17 +5,19 @@
 #include "predicates/coordinate_range.h"
 #include "predicates/orient2d.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
 namespace mesher {
 namespace {
 
+/// Points inserted between two looks at the cancellation.
+constexpr std::size_t kChunk = 256;
+
 /// Adding zero makes the two zeros one.
-Vec2 withoutNegativeZeros(Vec2 p)
-{
-    return {p.x + 0.0, p.y + 0.0};
-}
+Vec2 withoutNegativeZeros(Vec2 p) { return {p.x + 0.0, p.y + 0.0}; }
 
 Error faultOf(Vec2 point, std::string name)
 {
@@ -26,8 +28,7 @@ Error faultOf(Vec2 point, std::string name)
         error.message = "a coordinate is outside of the range in which predicates are exact";
         error.point = Vec3{point.x, point.y, 0.0};
         error.remedy = "scale the model by a power of two";
-    }
-    else {
+    } else {
         error.code = ErrorCode::NonFinitePoint;
         error.message = "a coordinate is infinite or not a number";
         error.remedy = "repair or leave out the point";
@@ -62,21 +63,30 @@ Result<BulkInsertion2d> Delaunay2d::insertPoints(std::span<const Vec2> points, R
     filter_ = StaticFilter2d::forBox(box_);
     mesh_.reserve(mesh_.vertexCount() + points.size());
 
-    constexpr std::size_t kPointsPerCancelCheck = 1024;
     BulkInsertion2d result;
     result.vertices.resize(points.size());
-    std::size_t done = 0;
-    for (const std::uint32_t i : brioOrder(points, seed_)) {
-        if (done++ % kPointsPerCancelCheck == 0 && context != nullptr && context->isCancelled()) {
+    const std::vector<std::uint32_t> order = brioOrder(points, seed_);
+    for (std::size_t begin = 0; begin < order.size(); begin += kChunk) {
+        if (context != nullptr && context->isCancelled()) {
             result.stopReason = StopReason::Cancelled;
             break;
         }
-        const Insertion2d insertion =
-            insertChecked(withoutNegativeZeros(points[i]), lastTriangle_, StarCheck::Trust);
-        result.vertices[i] = insertion.vertex;
-        if (insertion.outcome == InsertOutcome::Duplicate) ++result.duplicates;
+        insertChunk(points, std::span(order).subspan(begin, std::min(kChunk, order.size() - begin)), result);
     }
     return result;
+}
+
+void Delaunay2d::insertChunk(std::span<const Vec2> points, std::span<const std::uint32_t> order,
+                             BulkInsertion2d& result)
+{
+    // Gathered at once the scattered reads overlap; one by one each would wait for the memory.
+    std::array<Vec2, kChunk> gathered;
+    for (std::size_t i = 0; i < order.size(); ++i) gathered[i] = withoutNegativeZeros(points[order[i]]);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Insertion2d insertion = insertChecked(gathered[i], lastTriangle_, StarCheck::Trust);
+        result.vertices[order[i]] = insertion.vertex;
+        if (insertion.outcome == InsertOutcome::Duplicate) ++result.duplicates;
+    }
 }
 
 Result<Insertion2d> Delaunay2d::insert(Vec2 point, TriangleId hint)
@@ -96,7 +106,8 @@ Location2d Delaunay2d::locate(Vec2 point, TriangleId hint) const
 
 void Delaunay2d::findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity) const
 {
-    mesher::findCavity(mesh_, filterFor(point), withoutNegativeZeros(point), location, StarCheck::Repair, cavity);
+    mesher::findCavity(mesh_, filterFor(point), withoutNegativeZeros(point), location, StarCheck::Repair,
+                       cavity);
     cavity.revision = revision_;
 }
 
@@ -109,12 +120,15 @@ VertexId Delaunay2d::commit(const Cavity2d& cavity)
     ++counters_.insertions;
     const VertexId vertex = mesh_.addVertex(cavity.point);
     lastTriangle_ = commitCavity(mesh_, cavity, vertex);
+    recordInsert(vertex, cavity.point);
     return vertex;
 }
 
 RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
 {
     MESHER_PRECONDITION(mesh_.isAlive(vertex));
+    const bool joinsChains = policy == RemovalPolicy::StraightChainsToo;
+    record(joinsChains ? ReplayKind::RemoveFromChain : ReplayKind::Remove, vertex);
     if (mesh_.triangleCount() == 0) {
         lineVertices_.erase(mesh_.position(vertex));
         mesh_.removeVertex(vertex);
@@ -123,7 +137,7 @@ RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
     }
     ChainEnds chain;
     if (hasConstrainedEdge(vertex)) {
-        if (policy == RemovalPolicy::StraightChainsToo) chain = straightChainThrough(vertex);
+        if (joinsChains) chain = straightChainThrough(vertex);
         if (!chain.from.isValid()) return RemovalOutcome::KeptConstrained;
     }
     if (isLastOffLine(mesh_, filter_, vertex, removalWorkspace_)) {
@@ -131,8 +145,7 @@ RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
             if (mesh_.isConstrained(corner.outer)) return RemovalOutcome::KeptLastTriangles;
         }
         lowerDimension(vertex);
-    }
-    else {
+    } else {
         counters_.flips +=
             removeVertex(mesh_, filter_, vertex, chain.from.isValid() ? &chain : nullptr, removalWorkspace_);
         const VertexId neighbour = removalWorkspace_.ring.front().vertex;
@@ -149,14 +162,13 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
     if (a == b || !mesh_.isAlive(a) || !mesh_.isAlive(b)) {
         error.code = ErrorCode::InvalidArgument;
         error.message = "a segment needs two different vertices of the triangulation";
-    }
-    else if (mesh_.triangleCount() == 0) {
+    } else if (mesh_.triangleCount() == 0) {
         error.code = ErrorCode::DegenerateInput;
         error.message = "all vertices lie on one line, so there are no edges to constrain";
         error.remedy = "insert a point off the line first";
-    }
-    else {
+    } else {
         ++revision_;
+        record(ReplayKind::Constrain, a, b);
         auto result = mesher::recoverSegment(mesh_, filter_, a, b, segmentWorkspace_);
         if (!result) return result;
         ++counters_.segments;
@@ -170,12 +182,14 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
 void Delaunay2d::constrainEdge(EdgeLink edge)
 {
     MESHER_PRECONDITION(mesh_.edgeFrom(edge) != kGhostVertex && mesh_.edgeTo(edge) != kGhostVertex);
+    record(ReplayKind::Constrain, mesh_.edgeFrom(edge), mesh_.edgeTo(edge));
     mesh_.setConstrained(edge, true);
     ++revision_;
 }
 
 void Delaunay2d::unconstrainEdge(EdgeLink edge)
 {
+    record(ReplayKind::Unconstrain, mesh_.edgeFrom(edge), mesh_.edgeTo(edge));
     mesh_.setConstrained(edge, false);
     suspects_.assign(1, edge);
     counters_.flips += restoreDelaunay(mesh_, filter_, suspects_);
@@ -197,15 +211,16 @@ Insertion2d Delaunay2d::insertChecked(Vec2 point, TriangleId hint, StarCheck che
     const Location2d location = mesher::locate(mesh_, filter_, point, hint);
     if (location.kind == Location2d::Kind::OnVertex) {
         ++counters_.duplicates;
-        return {mesh_.triangle(location.triangle).v[location.index], InsertOutcome::Duplicate};
+        return {mesh_.triangle(location.triangle()).v[location.index()], InsertOutcome::Duplicate};
     }
-    const bool splits = location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(location.edge());
+    const bool splits = location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(location.edge);
     mesher::findCavity(mesh_, filter_, point, location, check, cavity_);
     const VertexId vertex = mesh_.addVertex(point);
     lastTriangle_ = commitCavity(mesh_, cavity_, vertex);
     counters_.starRepairs += cavity_.repairs;
     ++counters_.insertions;
     ++revision_;
+    recordInsert(vertex, point);
     return {vertex, splits ? InsertOutcome::SplitConstraint : InsertOutcome::Inserted};
 }
 
@@ -219,12 +234,13 @@ Insertion2d Delaunay2d::insertOnLine(Vec2 point)
     const VertexId vertex = mesh_.addVertex(point);
     ++counters_.insertions;
     ++revision_;
-    const bool isOnLine = lineVertices_.size() < 2 ||
-                          orient2d(lineVertices_.begin()->first, lineVertices_.rbegin()->first, point) == Sign::Zero;
+    recordInsert(vertex, point);
+    const bool isOnLine =
+        lineVertices_.size() < 2 ||
+        orient2d(lineVertices_.begin()->first, lineVertices_.rbegin()->first, point) == Sign::Zero;
     if (isOnLine) {
         lineVertices_.emplace(point, vertex);
-    }
-    else {
+    } else {
         raiseDimension(vertex);
     }
     return {vertex, InsertOutcome::Inserted};
@@ -246,7 +262,8 @@ void Delaunay2d::raiseDimension(VertexId apex)
 void Delaunay2d::makeFirstTriangle(VertexId a, VertexId b, VertexId c)
 {
     const TriangleId t = mesh_.allocateTriangle();
-    const TriangleId ghosts[3] = {mesh_.allocateTriangle(), mesh_.allocateTriangle(), mesh_.allocateTriangle()};
+    const TriangleId ghosts[3] = {mesh_.allocateTriangle(), mesh_.allocateTriangle(),
+                                  mesh_.allocateTriangle()};
     const VertexId corners[3] = {a, b, c};
     for (unsigned i = 0; i < 3; ++i) {
         mesh_.triangle(t).v[i] = corners[i];
@@ -265,7 +282,8 @@ void Delaunay2d::lowerDimension(VertexId vertex)
 {
     lineVertices_.clear();
     for (const auto& corner : removalWorkspace_.ring) {
-        if (corner.vertex != kGhostVertex) lineVertices_.emplace(mesh_.position(corner.vertex), corner.vertex);
+        if (corner.vertex != kGhostVertex)
+            lineVertices_.emplace(mesh_.position(corner.vertex), corner.vertex);
     }
     mesh_.freeAllTriangles();
     mesh_.removeVertex(vertex);

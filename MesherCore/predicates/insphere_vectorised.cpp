@@ -10,10 +10,7 @@ namespace mesher {
 
 #if defined(__x86_64__)
 
-bool canVectoriseInsphere()
-{
-    return __builtin_cpu_supports("avx2") != 0;
-}
+bool canVectoriseInsphere() { return __builtin_cpu_supports("avx2") != 0; }
 
 [[gnu::target("avx2")]] InsphereVectorEstimate insphereEstimateVectorised(const double* a, const double* b,
                                                                           const double* c, const double* d,
@@ -32,7 +29,8 @@ bool canVectoriseInsphere()
     const __m256d x = _mm256_permute2f128_pd(xzAB, xzCD, 0x20);
     const __m256d y = _mm256_permute2f128_pd(yAB, yCD, 0x20);
     const __m256d z = _mm256_permute2f128_pd(xzAB, xzCD, 0x31);
-    const __m256d lift = _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(x, x), _mm256_mul_pd(y, y)), _mm256_mul_pd(z, z));
+    const __m256d lift =
+        _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(x, x), _mm256_mul_pd(y, y)), _mm256_mul_pd(z, z));
     // Minors of neighbours (ab, bc, cd, da) and of opposites (ac, bd, ca, db).
     constexpr int kNext = 0x39;
     const __m256d xNext = _mm256_permute4x64_pd(x, kNext);
@@ -57,7 +55,8 @@ bool canVectoriseInsphere()
     const __m128d pairs = _mm_add_pd(_mm256_castpd256_pd128(products), _mm256_extractf128_pd(products, 1));
     const __m128d opposites = _mm_mul_pd(oppositesXy, _mm_shuffle_pd(oppositesZl, oppositesZl, 1));
     const double neighbourSum = _mm_cvtsd_f64(pairs) - _mm_cvtsd_f64(_mm_unpackhi_pd(pairs, pairs));
-    const double oppositeSum = _mm_cvtsd_f64(opposites) + _mm_cvtsd_f64(_mm_unpackhi_pd(opposites, opposites));
+    const double oppositeSum =
+        _mm_cvtsd_f64(opposites) + _mm_cvtsd_f64(_mm_unpackhi_pd(opposites, opposites));
     const __m128d largerLifts = _mm_max_pd(liftLow, liftHigh);
     const __m128d largestLift = _mm_max_sd(largerLifts, _mm_unpackhi_pd(largerLifts, largerLifts));
     return {oppositeSum - neighbourSum, _mm_cvtsd_f64(largestLift)};
@@ -65,10 +64,7 @@ bool canVectoriseInsphere()
 
 #else
 
-bool canVectoriseInsphere()
-{
-    return false;
-}
+bool canVectoriseInsphere() { return false; }
 
 InsphereVectorEstimate insphereEstimateVectorised(const double*, const double*, const double*, const double*,
                                                   const double*)

@@ -14,10 +14,7 @@ namespace {
 constexpr int kDense = 4000;
 constexpr int kTrials = 12;
 
-double angleBetween(Vec3 a, Vec3 b)
-{
-    return std::atan2(length(cross(a, b)), dot(a, b));
-}
+double angleBetween(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 class CurveTrial
 {
@@ -25,7 +22,8 @@ public:
     CurveTrial(const Curve& curve, Interval part, double size)
         : curve_(curve), part_(part), size_(size), turning_(std::shared_ptr<const Curve>(curve.clone()), part)
     {
-        for (int i = 0; i <= kDense; ++i) dense_.push_back(curve.evaluate(part.at(static_cast<double>(i) / kDense)));
+        for (int i = 0; i <= kDense; ++i)
+            dense_.push_back(curve.evaluate(part.at(static_cast<double>(i) / kDense)));
     }
 
     std::vector<std::string> run()
@@ -60,7 +58,8 @@ private:
     void tryDerivatives(double t)
     {
         const CurvePoint p = curve_.evaluate(t);
-        if (length(p.position - curve_.position(t)) > 1e-12 * size_) complain("position is not evaluate, t=", t);
+        if (length(p.position - curve_.position(t)) > 1e-12 * size_)
+            complain("position is not evaluate, t=", t);
         double best1 = INFINITY, best2 = INFINITY;
         for (double share = 1e-2; share > 1e-6; share *= 0.25) {
             const double h = share * part_.length();
@@ -72,7 +71,8 @@ private:
             best2 = std::min(best2, length(d2 - p.d2));
         }
         const double unit = turning_.totalLength() / part_.length();
-        if (best1 < INFINITY && best1 > 1e-4 * (unit + length(p.d1))) complain("d1 is wrong by ", best1, " at t=", t);
+        if (best1 < INFINITY && best1 > 1e-4 * (unit + length(p.d1)))
+            complain("d1 is wrong by ", best1, " at t=", t);
         if (best2 < INFINITY && best2 > 1e-3 * (unit / part_.length() + length(p.d2))) {
             complain("d2 is wrong by ", best2, " at t=", t);
         }
@@ -81,7 +81,8 @@ private:
     Vec3 randomPointNear(double t)
     {
         const double reach = turning_.totalLength() * random_.unit();
-        const Vec3 offset{random_.between(-reach, reach), random_.between(-reach, reach), random_.between(-reach, reach)};
+        const Vec3 offset{random_.between(-reach, reach), random_.between(-reach, reach),
+                          random_.between(-reach, reach)};
         return curve_.position(t) + offset;
     }
 
@@ -89,24 +90,30 @@ private:
     {
         const Vec3 on = curve_.position(t);
         if (curve_.project(on, part_).distance > 1e-10 * size_) {
-            complain("a point of the curve is projected ", curve_.project(on, part_).distance, " away, t=", t);
+            complain("a point of the curve is projected ", curve_.project(on, part_).distance,
+                     " away, t=", t);
         }
         const double seed = part_.clamp(t + 1e-3 * part_.length());
-        if (!isNearKnot(t, 2e-3 * part_.length()) && curve_.project(on, part_, seed).distance > 1e-9 * size_) {
-            complain("with a seed a point of the curve is projected ", curve_.project(on, part_, seed).distance, " away");
+        if (!isNearKnot(t, 2e-3 * part_.length()) &&
+            curve_.project(on, part_, seed).distance > 1e-9 * size_) {
+            complain("with a seed a point of the curve is projected ",
+                     curve_.project(on, part_, seed).distance, " away");
         }
         const Vec3 off = randomPointNear(t);
         const CurveProjection found = curve_.project(off, part_);
         if (!part_.contains(found.parameter)) complain("a projection lies outside of the part");
-        if (length(curve_.position(found.parameter) - found.position) > 1e-13 * size_) complain("projection off the curve");
-        if (std::abs(length(found.position - off) - found.distance) > 1e-12 * size_) complain("wrong distance");
+        if (length(curve_.position(found.parameter) - found.position) > 1e-13 * size_)
+            complain("projection off the curve");
+        if (std::abs(length(found.position - off) - found.distance) > 1e-12 * size_)
+            complain("wrong distance");
         double brute = INFINITY;
         for (const CurvePoint& p : dense_) brute = std::min(brute, length(p.position - off));
         if (found.distance > brute + 1e-12 * size_) {
             complain("a projection is ", found.distance - brute, " farther than a sample of the curve");
         }
         const CurveProjection seeded = curve_.project(off, part_, found.parameter);
-        if (seeded.distance > found.distance + 1e-12 * size_) complain("a projection leaves its own solution as seed");
+        if (seeded.distance > found.distance + 1e-12 * size_)
+            complain("a projection leaves its own solution as seed");
     }
 
     void tryTotals()
@@ -120,7 +127,8 @@ private:
         }
         // The samples miss what turns between them, so they can prove too little only up to their own error.
         const double tv = turning_.totalVariation();
-        if (turn > tv + 1e-6 * (1.0 + tv)) complain("variation ", tv, " is less than that of the samples, ", turn);
+        if (turn > tv + 1e-6 * (1.0 + tv))
+            complain("variation ", tv, " is less than that of the samples, ", turn);
         // Around a corner the turns of one step may cancel.
         const double slack = 1e-3 * (1.0 + turn) + 5e-3 * static_cast<double>(turning_.corners().size());
         if (tv > turn + slack) complain("variation ", tv, " is more than that of the samples, ", turn);
@@ -139,10 +147,12 @@ private:
         const double left = turning_.variation(a, m), right = turning_.variation(m, b);
         const double total = turning_.variation(a, b);
         const double jump = total - left - right;
-        if (std::abs(left - right) > jump + 1e-8 * (1.0 + total)) complain("a split halves ", total, " into ", left, " and ", right);
+        if (std::abs(left - right) > jump + 1e-8 * (1.0 + total))
+            complain("a split halves ", total, " into ", left, " and ", right);
         if (total > 0.0) return;
         const double leftLength = turning_.arcLength(a, m), rightLength = turning_.arcLength(m, b);
-        const double ulp = 4e-16 * std::max(std::abs(a), std::abs(b)) * turning_.totalLength() / part_.length();
+        const double ulp =
+            4e-16 * std::max(std::abs(a), std::abs(b)) * turning_.totalLength() / part_.length();
         if (std::abs(leftLength - rightLength) > 1e-9 * (leftLength + rightLength) + 4.0 * ulp) {
             complain("a straight split is not in the middle");
         }

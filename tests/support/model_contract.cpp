@@ -50,7 +50,9 @@ private:
 
     bool isNoted(const std::string& name) const
     {
-        const auto names = [&](const std::string& note) { return note.find(name + " ") != std::string::npos; };
+        const auto names = [&](const std::string& note) {
+            return note.find(name + " ") != std::string::npos;
+        };
         return std::any_of(model_.notes.begin(), model_.notes.end(), names);
     }
 
@@ -82,7 +84,8 @@ private:
     {
         const BrepFace& face = model_.faces[id];
         if (!face.surface || !face.trim) return complain(id, "has no surface or no trim");
-        if (!(face.boundsU.length() > 0.0 && face.boundsV.length() > 0.0)) return complain(id, "has no bounds");
+        if (!(face.boundsU.length() > 0.0 && face.boundsV.length() > 0.0))
+            return complain(id, "has no bounds");
         if (face.loops.empty()) complain(id, "has no loop");
         for (const BrepLoop& loop : face.loops) tryLoop(id, loop);
         for (const std::string& line :
@@ -111,12 +114,15 @@ private:
         for (std::size_t i = 0; i < loop.coedges.size(); ++i) {
             const BrepCoedge& coedge = loop.coedges[i];
             const BrepCoedge& next = loop.coedges[(i + 1) % loop.coedges.size()];
-            if (!coedge.parameterCurve || !next.parameterCurve) return complain(id, "has no parameter curve of ", nameOf(coedge.edge));
+            if (!coedge.parameterCurve || !next.parameterCurve)
+                return complain(id, "has no parameter curve of ", nameOf(coedge.edge));
             if (!isNoted(nameOf(id)) && vertexOf(coedge, true) != vertexOf(next, false)) {
                 complain(id, nameOf(coedge.edge), " does not lead to ", nameOf(next.edge));
             }
-            const Vec3 head = face.surface->position(endOf(coedge, true)), tail = face.surface->position(endOf(next, false));
-            const double allowed = 2.0 * model_.vertices[vertexOf(coedge, true)].tolerance + face.tolerance + 1e-11 * size_;
+            const Vec3 head = face.surface->position(endOf(coedge, true)),
+                       tail = face.surface->position(endOf(next, false));
+            const double allowed =
+                2.0 * model_.vertices[vertexOf(coedge, true)].tolerance + face.tolerance + 1e-11 * size_;
             if (length(head - tail) > allowed && !isNoted(nameOf(id)) && !isNoted(nameOf(coedge.edge)) &&
                 !isNoted(nameOf(next.edge))) {
                 complain(id, "its loop has a gap of ", length(head - tail), " after ", nameOf(coedge.edge));
@@ -133,7 +139,8 @@ private:
         for (int i = 0; i <= kLiftSamples; ++i) {
             const double t = edge.part.at(static_cast<double>(i) / kLiftSamples);
             const Vec3 lifted = face.surface->position(coedge.parameterCurve->position(t));
-            const Vec3 exact = edge.isDegenerate ? model_.vertices[edge.first].position : edge.curve->position(t);
+            const Vec3 exact =
+                edge.isDegenerate ? model_.vertices[edge.first].position : edge.curve->position(t);
             gap = std::max(gap, length(lifted - exact));
         }
         report_.largestGap = std::max(report_.largestGap, gap);
@@ -148,7 +155,8 @@ private:
     std::vector<std::pair<Vec2, Vec2>> polygonOf(const BrepFace& face) const
     {
         const auto scaled = [&](Vec2 uv) {
-            return Vec2{(uv.x - face.boundsU.first) / face.boundsU.length(), (uv.y - face.boundsV.first) / face.boundsV.length()};
+            return Vec2{(uv.x - face.boundsU.first) / face.boundsU.length(),
+                        (uv.y - face.boundsV.first) / face.boundsV.length()};
         };
         std::vector<std::pair<Vec2, Vec2>> sides;
         for (const BrepLoop& loop : face.loops) {
@@ -157,11 +165,13 @@ private:
                 const Interval part = model_.edges[coedge.edge].part;
                 Vec2 before = scaled(coedge.parameterCurve->position(part.first));
                 for (int k = 1; k <= kPolygonSamples; ++k) {
-                    const Vec2 at = scaled(coedge.parameterCurve->position(part.at(static_cast<double>(k) / kPolygonSamples)));
+                    const Vec2 at = scaled(
+                        coedge.parameterCurve->position(part.at(static_cast<double>(k) / kPolygonSamples)));
                     sides.push_back({before, at});
                     before = at;
                 }
-                sides.push_back({scaled(endOf(coedge, true)), scaled(endOf(loop.coedges[(i + 1) % loop.coedges.size()], false))});
+                sides.push_back({scaled(endOf(coedge, true)),
+                                 scaled(endOf(loop.coedges[(i + 1) % loop.coedges.size()], false))});
             }
         }
         return sides;
@@ -187,7 +197,8 @@ private:
         for (const BrepLoop& loop : face.loops) {
             for (const BrepCoedge& coedge : loop.coedges) {
                 // The trim may know a parameter curve on the other side of the edge than the one that replaced it.
-                tolerance = std::max({tolerance, 4.0 * model_.edges[coedge.edge].tolerance, 4.0 * coedge.gap});
+                tolerance =
+                    std::max({tolerance, 4.0 * model_.edges[coedge.edge].tolerance, 4.0 * coedge.gap});
             }
         }
         Random random(40);
@@ -198,7 +209,8 @@ private:
             if (copy->classify(uv) != side) complain(id, "a copy of the trim disagrees at ", uv.x, " ", uv.y);
             const std::optional<bool> isInside = parity(face, sides, uv, tolerance);
             if (isInside && side != (*isInside ? TrimSide::Inside : TrimSide::Outside)) {
-                complain(id, "the trim calls ", uv.x, " ", uv.y, *isInside ? " outside" : " inside", " against its loops");
+                complain(id, "the trim calls ", uv.x, " ", uv.y, *isInside ? " outside" : " inside",
+                         " against its loops");
             }
         }
     }
@@ -222,10 +234,12 @@ private:
         return isInside;
     }
 
-    static std::optional<bool> parityOfImage(const BrepFace& face, const std::vector<std::pair<Vec2, Vec2>>& sides,
-                                             Vec2 uv, double tolerance)
+    static std::optional<bool> parityOfImage(const BrepFace& face,
+                                             const std::vector<std::pair<Vec2, Vec2>>& sides, Vec2 uv,
+                                             double tolerance)
     {
-        const Vec2 p{(uv.x - face.boundsU.first) / face.boundsU.length(), (uv.y - face.boundsV.first) / face.boundsV.length()};
+        const Vec2 p{(uv.x - face.boundsU.first) / face.boundsU.length(),
+                     (uv.y - face.boundsV.first) / face.boundsV.length()};
         const Vec3 position = face.surface->position(uv);
         bool isInside = false;
         for (const auto& side : sides) {

@@ -36,8 +36,9 @@ void tryModel(const char* path, std::size_t mostLines, Tally& tally)
     const mesher::test::ContractReport report = mesher::test::checkModelContract(read->model);
     ++(report.broken.empty() ? tally.kept : tally.broken);
     std::printf("%s  %s: %zu faces, %zu edges, %zu notes, gap %.2g, %zu broken, read %.2f s, tried %.2f s\n",
-                report.broken.empty() ? "ok     " : "BROKEN ", path, report.faces, report.edges, read->model.notes.size(),
-                report.largestGap, report.broken.size(), readSeconds, secondsSince(start) - readSeconds);
+                report.broken.empty() ? "ok     " : "BROKEN ", path, report.faces, report.edges,
+                read->model.notes.size(), report.largestGap, report.broken.size(), readSeconds,
+                secondsSince(start) - readSeconds);
     for (std::size_t i = 0; i < report.broken.size() && i < mostLines; ++i) {
         std::printf("         %s\n", report.broken[i].c_str());
     }

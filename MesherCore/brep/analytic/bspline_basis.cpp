@@ -78,7 +78,8 @@ std::vector<double> interiorKnots(std::span<const double> knots, std::size_t deg
     for (std::size_t i = degree + 1; i < end;) {
         std::size_t j = i;
         while (j < end && knots[j] == knots[i]) ++j;
-        if (knots[i] > knots[degree] && knots[i] < knots[end] && j - i >= multiplicity) result.push_back(knots[i]);
+        if (knots[i] > knots[degree] && knots[i] < knots[end] && j - i >= multiplicity)
+            result.push_back(knots[i]);
         i = j;
     }
     return result;

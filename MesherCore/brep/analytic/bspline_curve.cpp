@@ -14,7 +14,8 @@ namespace {
 
 Error invalid(std::string message)
 {
-    return Error{ErrorCode::InvalidArgument, std::move(message), "spline", {}, "correct its poles, weights and knots"};
+    return Error{
+        ErrorCode::InvalidArgument, std::move(message), "spline", {}, "correct its poles, weights and knots"};
 }
 
 std::optional<Error> findFault(const BSplineData& data)
@@ -78,15 +79,9 @@ CurveKind BSplineCurve::kind() const
     return interiorKnots_.empty() ? CurveKind::Bezier : CurveKind::BSpline;
 }
 
-Interval BSplineCurve::range() const
-{
-    return {data_.knots[data_.degree], data_.knots[data_.poles.size()]};
-}
+Interval BSplineCurve::range() const { return {data_.knots[data_.degree], data_.knots[data_.poles.size()]}; }
 
-Vec3 BSplineCurve::position(double t) const
-{
-    return evaluate(t).position;
-}
+Vec3 BSplineCurve::position(double t) const { return evaluate(t).position; }
 
 CurvePoint BSplineCurve::evaluate(double t) const
 {

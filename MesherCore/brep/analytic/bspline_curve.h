@@ -26,8 +26,8 @@ public:
     /// interior knot of a multiplicity above the degree.
     [[nodiscard]] static Result<std::shared_ptr<const BSplineCurve>> make(BSplineData data);
     /// Over [0, 1]; two to 26 poles.
-    [[nodiscard]] static Result<std::shared_ptr<const BSplineCurve>> makeBezier(std::vector<Vec3> poles,
-                                                                                std::vector<double> weights = {});
+    [[nodiscard]] static Result<std::shared_ptr<const BSplineCurve>>
+    makeBezier(std::vector<Vec3> poles, std::vector<double> weights = {});
 
     [[nodiscard]] CurveKind kind() const override;
     [[nodiscard]] Interval range() const override;
@@ -37,7 +37,10 @@ public:
     [[nodiscard]] std::span<const double> knots() const override { return interiorKnots_; }
     [[nodiscard]] CurveProjection project(const Vec3& point, Interval part,
                                           std::optional<double> seed = {}) const override;
-    [[nodiscard]] std::unique_ptr<Curve> clone() const override { return std::make_unique<BSplineCurve>(*this); }
+    [[nodiscard]] std::unique_ptr<Curve> clone() const override
+    {
+        return std::make_unique<BSplineCurve>(*this);
+    }
     [[nodiscard]] const BSplineData& data() const { return data_; }
 
     explicit BSplineCurve(BSplineData validData);

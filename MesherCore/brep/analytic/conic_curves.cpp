@@ -15,7 +15,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
 
-CircleCurve::CircleCurve(const Axes& axes, double radius, Interval range) : axes_(axes), radius_(radius), range_(range)
+CircleCurve::CircleCurve(const Axes& axes, double radius, Interval range)
+    : axes_(axes), radius_(radius), range_(range)
 {
     MESHER_PRECONDITION(radius > 0.0);
 }

@@ -20,7 +20,10 @@ public:
     /// In closed form; a point on the axis goes to the part's first point.
     [[nodiscard]] CurveProjection project(const Vec3& point, Interval part,
                                           std::optional<double> seed = {}) const override;
-    [[nodiscard]] std::unique_ptr<Curve> clone() const override { return std::make_unique<CircleCurve>(*this); }
+    [[nodiscard]] std::unique_ptr<Curve> clone() const override
+    {
+        return std::make_unique<CircleCurve>(*this);
+    }
 
 private:
     Axes axes_;
@@ -42,7 +45,10 @@ public:
     [[nodiscard]] std::span<const double> breaks() const override { return {}; }
     [[nodiscard]] CurveProjection project(const Vec3& point, Interval part,
                                           std::optional<double> seed = {}) const override;
-    [[nodiscard]] std::unique_ptr<Curve> clone() const override { return std::make_unique<EllipseCurve>(*this); }
+    [[nodiscard]] std::unique_ptr<Curve> clone() const override
+    {
+        return std::make_unique<EllipseCurve>(*this);
+    }
 
 private:
     Axes axes_;

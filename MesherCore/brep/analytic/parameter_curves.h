@@ -29,7 +29,9 @@ private:
 class CircleParameterCurve final : public ParameterCurve
 {
 public:
-    CircleParameterCurve(double radius, bool isClockwise) : radius_(radius), sign_(isClockwise ? -1.0 : 1.0) {}
+    CircleParameterCurve(double radius, bool isClockwise) : radius_(radius), sign_(isClockwise ? -1.0 : 1.0)
+    {
+    }
 
     [[nodiscard]] Vec2 position(double t) const override
     {
@@ -49,7 +51,8 @@ private:
 class PlanarParameterCurve final : public ParameterCurve
 {
 public:
-    PlanarParameterCurve(std::unique_ptr<Curve> curve, const PlaneFrame& frame) : curve_(std::move(curve)), frame_(frame)
+    PlanarParameterCurve(std::unique_ptr<Curve> curve, const PlaneFrame& frame)
+        : curve_(std::move(curve)), frame_(frame)
     {
     }
 

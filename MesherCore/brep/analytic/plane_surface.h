@@ -19,7 +19,10 @@ public:
     [[nodiscard]] SurfacePoint evaluate(Vec2 uv) const override;
     [[nodiscard]] SurfaceProjection project(const Vec3& point, std::optional<Vec2> seed = {}) const override;
     [[nodiscard]] std::optional<PlaneFrame> planeFrame() const override { return frame_; }
-    [[nodiscard]] std::unique_ptr<Surface> clone() const override { return std::make_unique<PlaneSurface>(*this); }
+    [[nodiscard]] std::unique_ptr<Surface> clone() const override
+    {
+        return std::make_unique<PlaneSurface>(*this);
+    }
 
 private:
     PlaneFrame frame_;

@@ -35,7 +35,8 @@ SurfaceProjection RoundSurface::project(const Vec3& point, std::optional<Vec2> s
         const double period = periodV();
         SurfaceProjection result;
         result.parameters.x = seed ? wrapNear(u, seed->x, kTurn) : wrapInto(u, 0.0, kTurn);
-        result.parameters.y = period == 0.0 ? v : (seed ? wrapNear(v, seed->y, period) : wrapInto(v, 0.0, period));
+        result.parameters.y =
+            period == 0.0 ? v : (seed ? wrapNear(v, seed->y, period) : wrapInto(v, 0.0, period));
         result.position = position(result.parameters);
         result.distance = length(result.position - point);
         return result;

@@ -53,7 +53,10 @@ public:
     [[nodiscard]] SurfaceKind kind() const override { return SurfaceKind::Cylinder; }
     [[nodiscard]] Interval rangeV() const override { return kUnbounded; }
     [[nodiscard]] double periodV() const override { return 0.0; }
-    [[nodiscard]] std::unique_ptr<Surface> clone() const override { return std::make_unique<CylinderSurface>(*this); }
+    [[nodiscard]] std::unique_ptr<Surface> clone() const override
+    {
+        return std::make_unique<CylinderSurface>(*this);
+    }
 
 private:
     [[nodiscard]] Profile profile(double v) const override;
@@ -71,7 +74,10 @@ public:
     [[nodiscard]] SurfaceKind kind() const override { return SurfaceKind::Cone; }
     [[nodiscard]] Interval rangeV() const override { return kUnbounded; }
     [[nodiscard]] double periodV() const override { return 0.0; }
-    [[nodiscard]] std::unique_ptr<Surface> clone() const override { return std::make_unique<ConeSurface>(*this); }
+    [[nodiscard]] std::unique_ptr<Surface> clone() const override
+    {
+        return std::make_unique<ConeSurface>(*this);
+    }
 
 private:
     [[nodiscard]] Profile profile(double v) const override;
@@ -92,7 +98,10 @@ public:
     [[nodiscard]] SurfaceKind kind() const override { return SurfaceKind::Sphere; }
     [[nodiscard]] Interval rangeV() const override { return {-0.25 * kTurn, 0.25 * kTurn}; }
     [[nodiscard]] double periodV() const override { return 0.0; }
-    [[nodiscard]] std::unique_ptr<Surface> clone() const override { return std::make_unique<SphereSurface>(*this); }
+    [[nodiscard]] std::unique_ptr<Surface> clone() const override
+    {
+        return std::make_unique<SphereSurface>(*this);
+    }
 
 private:
     [[nodiscard]] Profile profile(double v) const override;
@@ -113,7 +122,10 @@ public:
     [[nodiscard]] SurfaceKind kind() const override { return SurfaceKind::Torus; }
     [[nodiscard]] Interval rangeV() const override { return {0.0, kTurn}; }
     [[nodiscard]] double periodV() const override { return kTurn; }
-    [[nodiscard]] std::unique_ptr<Surface> clone() const override { return std::make_unique<TorusSurface>(*this); }
+    [[nodiscard]] std::unique_ptr<Surface> clone() const override
+    {
+        return std::make_unique<TorusSurface>(*this);
+    }
 
 private:
     [[nodiscard]] Profile profile(double v) const override;

@@ -29,9 +29,6 @@ TrimSide RectangleTrim::classify(Vec2 uv) const
     return std::max(sideOf(u, u_, tolerance_.x), sideOf(v, v_, tolerance_.y));
 }
 
-TrimSide DiskTrim::classify(Vec2 uv) const
-{
-    return sideOf(radius_ - length(uv), tolerance_);
-}
+TrimSide DiskTrim::classify(Vec2 uv) const { return sideOf(radius_ - length(uv), tolerance_); }
 
 }  // namespace mesher

@@ -34,7 +34,10 @@ public:
     DiskTrim(double radius, double tolerance) : radius_(radius), tolerance_(tolerance) {}
 
     [[nodiscard]] TrimSide classify(Vec2 uv) const override;
-    [[nodiscard]] std::unique_ptr<TrimClassifier> clone() const override { return std::make_unique<DiskTrim>(*this); }
+    [[nodiscard]] std::unique_ptr<TrimClassifier> clone() const override
+    {
+        return std::make_unique<DiskTrim>(*this);
+    }
 
 private:
     double radius_;

@@ -24,7 +24,8 @@ std::optional<Error> refuseSize(double size, const char* name)
     return Error{ErrorCode::InvalidArgument, std::string(name) + " is not positive and finite", "", {}, ""};
 }
 
-BrepEdgeId addEdge(BrepModel& model, std::shared_ptr<const Curve> curve, BrepVertexId first, BrepVertexId last)
+BrepEdgeId addEdge(BrepModel& model, std::shared_ptr<const Curve> curve, BrepVertexId first,
+                   BrepVertexId last)
 {
     const Interval part = curve->range();
     return model.edges.push_back({std::move(curve), part, first, last, kTolerance, false});
@@ -59,12 +60,14 @@ BrepFaceId addRoundFace(BrepModel& model, std::shared_ptr<const Surface> surface
     face.boundsU = {0.0, kTurn};
     face.boundsV = v;
     const Vec2 periods{face.surface->periodU(), face.surface->periodV()};
-    face.trim = std::make_shared<RectangleTrim>(face.boundsU, v, Vec2{1e-9, 1e-9 * (1.0 + v.length())}, periods);
+    face.trim =
+        std::make_shared<RectangleTrim>(face.boundsU, v, Vec2{1e-9, 1e-9 * (1.0 + v.length())}, periods);
     face.tolerance = kTolerance;
     return model.faces.push_back(std::move(face));
 }
 
-BrepFaceId addDisk(BrepModel& model, const Axes& axes, double height, double radius, BrepEdgeId edge, bool isTop)
+BrepFaceId addDisk(BrepModel& model, const Axes& axes, double height, double radius, BrepEdgeId edge,
+                   bool isTop)
 {
     PlaneFrame frame{axes.toSpace({0.0, 0.0, height}), axes.x, axes.y, axes.z};
     if (!isTop) frame = {frame.origin, axes.x, -1.0 * axes.y, -1.0 * axes.z};
@@ -117,9 +120,10 @@ BrepModel makeRound(const Axes& axes, double bottomRadius, double topRadius, dou
     const BrepVertexId low = model.vertices.push_back({axes.toSpace({bottomRadius, 0.0, 0.0}), kTolerance});
     const BrepVertexId high = model.vertices.push_back({axes.toSpace({topRadius, 0.0, height}), kTolerance});
     const BrepEdgeId bottom = addEdge(model, circle(axes, bottomRadius), low, low);
-    const BrepEdgeId seam = addEdge(model, segment(model.vertices[low].position, model.vertices[high].position), low, high);
-    const BrepEdgeId top =
-        isPointed ? addPole(model, high) : addEdge(model, circle(raised(axes, height), topRadius), high, high);
+    const BrepEdgeId seam =
+        addEdge(model, segment(model.vertices[low].position, model.vertices[high].position), low, high);
+    const BrepEdgeId top = isPointed ? addPole(model, high)
+                                     : addEdge(model, circle(raised(axes, height), topRadius), high, high);
     BrepLoop loop{{use(bottom, false, {0.0, 0.0}, {1.0, 0.0}), use(seam, false, {kTurn, 0.0}, {0.0, 1.0}),
                    use(top, true, {0.0, slant}, {1.0, 0.0}), use(seam, true, {0.0, 0.0}, {0.0, 1.0})}};
     addRoundFace(model, std::move(side), std::move(loop), {0.0, slant});
@@ -154,7 +158,8 @@ void addBoxFace(BrepModel& model, const std::array<Vec3, 2>& corners, std::size_
                            use(edgeAlong(y, x, false), true, {0.0, 0.0}, {0.0, 1.0})}});
     face.boundsU = {0.0, width};
     face.boundsV = {0.0, depth};
-    face.trim = std::make_shared<RectangleTrim>(face.boundsU, face.boundsV, Vec2{1e-9 * width, 1e-9 * depth}, Vec2{});
+    face.trim =
+        std::make_shared<RectangleTrim>(face.boundsU, face.boundsV, Vec2{1e-9 * width, 1e-9 * depth}, Vec2{});
     face.tolerance = kTolerance;
     model.faces.push_back(std::move(face));
 }
@@ -169,7 +174,8 @@ Result<BrepModel> makeBox(const Vec3& low, const Vec3& high)
     }
     BrepModel model;
     for (unsigned bits = 0; bits < 8; ++bits) {
-        const Vec3 p{(bits & 1u) ? high.x : low.x, (bits & 2u) ? high.y : low.y, (bits & 4u) ? high.z : low.z};
+        const Vec3 p{(bits & 1u) ? high.x : low.x, (bits & 2u) ? high.y : low.y,
+                     (bits & 4u) ? high.z : low.z};
         model.vertices.push_back({p, kTolerance});
         model.box.include(p);
     }
@@ -178,7 +184,8 @@ Result<BrepModel> makeBox(const Vec3& low, const Vec3& high)
         for (std::uint32_t side = 0; side < 4; ++side) {
             const std::uint32_t first = (side & 1u) << ((axis + 1) % 3) | (side >> 1) << ((axis + 2) % 3);
             const BrepVertexId a(first), b(first | 1u << axis);
-            edges[axis][side] = addEdge(model, segment(model.vertices[a].position, model.vertices[b].position), a, b);
+            edges[axis][side] =
+                addEdge(model, segment(model.vertices[a].position, model.vertices[b].position), a, b);
         }
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -202,7 +209,8 @@ Result<BrepModel> makeCone(const Axes& axes, double bottomRadius, double topRadi
     }
     if (auto error = refuseSize(height, "the height")) return *error;
     const double angle = std::atan2(topRadius - bottomRadius, height);
-    return makeRound(axes, bottomRadius, topRadius, height, std::make_shared<ConeSurface>(axes, bottomRadius, angle),
+    return makeRound(axes, bottomRadius, topRadius, height,
+                     std::make_shared<ConeSurface>(axes, bottomRadius, angle),
                      std::hypot(topRadius - bottomRadius, height));
 }
 
@@ -216,8 +224,10 @@ Result<BrepModel> makeSphere(const Axes& axes, double radius)
     const BrepEdgeId southPole = addPole(model, south);
     const BrepEdgeId seam = addEdge(model, circle(meridian(axes, 0.0), radius, latitudes), south, north);
     const BrepEdgeId northPole = addPole(model, north);
-    BrepLoop loop{{use(southPole, false, {0.0, latitudes.first}, {1.0, 0.0}), use(seam, false, {kTurn, 0.0}, {0.0, 1.0}),
-                   use(northPole, true, {0.0, latitudes.last}, {1.0, 0.0}), use(seam, true, {0.0, 0.0}, {0.0, 1.0})}};
+    BrepLoop loop{{use(southPole, false, {0.0, latitudes.first}, {1.0, 0.0}),
+                   use(seam, false, {kTurn, 0.0}, {0.0, 1.0}),
+                   use(northPole, true, {0.0, latitudes.last}, {1.0, 0.0}),
+                   use(seam, true, {0.0, 0.0}, {0.0, 1.0})}};
     addRoundFace(model, std::make_shared<SphereSurface>(axes, radius), std::move(loop), latitudes);
     model.box.include(axes.origin - Vec3{radius, radius, radius});
     model.box.include(axes.origin + Vec3{radius, radius, radius});
@@ -229,12 +239,14 @@ Result<BrepModel> makeTorus(const Axes& axes, double ringRadius, double tubeRadi
     if (auto error = refuseSize(tubeRadius, "the tube's radius")) return *error;
     if (auto error = refuseSize(ringRadius - tubeRadius, "the ring's radius less the tube's")) return *error;
     BrepModel model;
-    const BrepVertexId vertex = model.vertices.push_back({axes.toSpace({ringRadius + tubeRadius, 0.0, 0.0}), kTolerance});
+    const BrepVertexId vertex =
+        model.vertices.push_back({axes.toSpace({ringRadius + tubeRadius, 0.0, 0.0}), kTolerance});
     const BrepEdgeId ring = addEdge(model, circle(axes, ringRadius + tubeRadius), vertex, vertex);
     const BrepEdgeId tube = addEdge(model, circle(meridian(axes, ringRadius), tubeRadius), vertex, vertex);
     BrepLoop loop{{use(ring, false, {0.0, 0.0}, {1.0, 0.0}), use(tube, false, {kTurn, 0.0}, {0.0, 1.0}),
                    use(ring, true, {0.0, kTurn}, {1.0, 0.0}), use(tube, true, {0.0, 0.0}, {0.0, 1.0})}};
-    addRoundFace(model, std::make_shared<TorusSurface>(axes, ringRadius, tubeRadius), std::move(loop), {0.0, kTurn});
+    addRoundFace(model, std::make_shared<TorusSurface>(axes, ringRadius, tubeRadius), std::move(loop),
+                 {0.0, kTurn});
     // The exact extent along a direction d: the tube all around, the ring by the part of d in its plane.
     Box3 ringBox;
     includeDisk(ringBox, axes, 0.0, ringRadius);

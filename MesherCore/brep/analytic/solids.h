@@ -14,7 +14,8 @@ namespace mesher {
 /// Faces: side, bottom, top; edges: bottom, seam, top.
 [[nodiscard]] Result<BrepModel> makeCylinder(const Axes& axes, double radius, double height);
 /// A cone that ends in a point if the top radius is zero. Faces: side, bottom, top if there is one; edges: bottom, seam, top.
-[[nodiscard]] Result<BrepModel> makeCone(const Axes& axes, double bottomRadius, double topRadius, double height);
+[[nodiscard]] Result<BrepModel> makeCone(const Axes& axes, double bottomRadius, double topRadius,
+                                         double height);
 /// One face; edges: south pole, seam, north pole.
 [[nodiscard]] Result<BrepModel> makeSphere(const Axes& axes, double radius);
 /// One face; edges: along the ring, around the tube.

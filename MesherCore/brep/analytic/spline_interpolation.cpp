@@ -45,7 +45,8 @@ std::vector<double> knotsOfChords(std::span<const Vec3> points)
 }
 
 /// The condition for the pole beside an end: `near` and `far` are the lengths of the end's span and of its two spans.
-TridiagonalRow endRow(const Vec3& endPoint, const std::optional<Vec3>& outwardDerivative, double near, double far)
+TridiagonalRow endRow(const Vec3& endPoint, const std::optional<Vec3>& outwardDerivative, double near,
+                      double far)
 {
     if (outwardDerivative) return {0.0, 1.0, 0.0, endPoint - (near / 3.0) * *outwardDerivative};
     return {0.0, 1.0 / near + 1.0 / far, -1.0 / far, (1.0 / near) * endPoint};
@@ -53,15 +54,19 @@ TridiagonalRow endRow(const Vec3& endPoint, const std::optional<Vec3>& outwardDe
 
 }  // namespace
 
-Result<std::shared_ptr<const BSplineCurve>> interpolateCubic(std::span<const Vec3> points, const SplineEnds& ends)
+Result<std::shared_ptr<const BSplineCurve>> interpolateCubic(std::span<const Vec3> points,
+                                                             const SplineEnds& ends)
 {
-    const Error few{ErrorCode::InvalidArgument, "an interpolating spline needs three points", "spline", {}, ""};
+    const Error few{
+        ErrorCode::InvalidArgument, "an interpolating spline needs three points", "spline", {}, ""};
     if (points.size() < 3) return few;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::string name = "point " + std::to_string(i + 1);
-        if (!isFinite(points[i])) return Error{ErrorCode::NonFinitePoint, "a coordinate is not finite", name, {}, ""};
+        if (!isFinite(points[i]))
+            return Error{ErrorCode::NonFinitePoint, "a coordinate is not finite", name, {}, ""};
         if (i > 0 && points[i] == points[i - 1]) {
-            return Error{ErrorCode::DuplicatePoint, "it equals the point before", name, points[i], "remove one"};
+            return Error{ErrorCode::DuplicatePoint, "it equals the point before", name, points[i],
+                         "remove one"};
         }
     }
     const std::size_t last = points.size() - 1;
@@ -78,7 +83,8 @@ Result<std::shared_ptr<const BSplineCurve>> interpolateCubic(std::span<const Vec
         const BSplineBasis basis = evaluateBasis(t, 3, t[i + 3]);
         rows[i] = {basis.value[0], basis.value[1], basis.value[2], points[i]};
     }
-    rows.back() = endRow(points.back(), ends.lastTangent, t[last + 3] - t[last + 2], t[last + 3] - t[last + 1]);
+    rows.back() =
+        endRow(points.back(), ends.lastTangent, t[last + 3] - t[last + 2], t[last + 3] - t[last + 1]);
     std::swap(rows.back().below, rows.back().above);
 
     const std::vector<Vec3> inner = solve(std::move(rows));

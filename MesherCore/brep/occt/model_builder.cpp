@@ -68,7 +68,11 @@ public:
     Result<BrepModel> build()
     {
         if (faces_.IsEmpty()) {
-            return Error{ErrorCode::DegenerateInput, "the model has no face", "", {}, "export solids, shells or faces"};
+            return Error{ErrorCode::DegenerateInput,
+                         "the model has no face",
+                         "",
+                         {},
+                         "export solids, shells or faces"};
         }
         addVertices();
         for (int i = 1; i <= edges_.Extent(); ++i) {
@@ -87,7 +91,10 @@ public:
     }
 
 private:
-    void note(const std::string& entity, const std::string& text) { model_.notes.push_back(entity + " " + text); }
+    void note(const std::string& entity, const std::string& text)
+    {
+        model_.notes.push_back(entity + " " + text);
+    }
 
     void addVertices()
     {
@@ -103,7 +110,8 @@ private:
         BrepEdge result;
         result.first = idIn<BrepVertexId>(vertices_, TopExp::FirstVertex(edge));
         result.last = idIn<BrepVertexId>(vertices_, TopExp::LastVertex(edge));
-        if (!result.first.isValid() || !result.last.isValid()) return broken(name, "the edge has no vertex at an end");
+        if (!result.first.isValid() || !result.last.isValid())
+            return broken(name, "the edge has no vertex at an end");
         result.tolerance = BRep_Tool::Tolerance(edge);
         result.isDegenerate = BRep_Tool::Degenerated(edge);
         double first = 0.0, last = 0.0;
@@ -122,14 +130,16 @@ private:
             result.curve = makeCurve(geometry, result.part);
             noteEnds(result, name);
         }
-        if (!BRep_Tool::SameParameter(edge) && !result.isDegenerate) note(name, "is not parametrised alike on its faces");
+        if (!BRep_Tool::SameParameter(edge) && !result.isDegenerate)
+            note(name, "is not parametrised alike on its faces");
         model_.edges.push_back(std::move(result));
         return {};
     }
 
     void noteEnds(const BrepEdge& edge, const std::string& name)
     {
-        const std::pair<double, BrepVertexId> ends[] = {{edge.part.first, edge.first}, {edge.part.last, edge.last}};
+        const std::pair<double, BrepVertexId> ends[] = {{edge.part.first, edge.first},
+                                                        {edge.part.last, edge.last}};
         for (const auto& [t, id] : ends) {
             const BrepVertex& vertex = model_.vertices[id];
             const double gap = length(edge.curve->position(t) - vertex.position);
@@ -149,8 +159,8 @@ private:
         BRepTools::UVBounds(face, u0, u1, v0, v1);
         result.boundsU = {u0, u1};
         result.boundsV = {v0, v1};
-        const bool isEndless = Precision::IsInfinite(u0) || Precision::IsInfinite(u1) || Precision::IsInfinite(v0) ||
-                               Precision::IsInfinite(v1);
+        const bool isEndless = Precision::IsInfinite(u0) || Precision::IsInfinite(u1) ||
+                               Precision::IsInfinite(v0) || Precision::IsInfinite(v1);
         if (isEndless || !(u0 < u1) || !(v0 < v1)) return broken(name, "the face has no area or no end");
         result.surface = makeSurface(geometry, result.boundsU, result.boundsV);
         result.isReversed = found.Orientation() == TopAbs_REVERSED;
@@ -173,15 +183,16 @@ private:
             if (!coedges) return coedges.error();
             if (coedges->empty()) continue;
             OrderedWire wire = orderWire(model_, *std::move(coedges));
-            for (const BrepVertexId open : wire.openVertices) note(name, "has a wire that is open at " + nameOf(open));
+            for (const BrepVertexId open : wire.openVertices)
+                note(name, "has a wire that is open at " + nameOf(open));
             for (BrepLoop& loop : wire.loops) result.loops.push_back(std::move(loop));
         }
         if (result.loops.empty()) return broken(name, "the face has no wire");
         return {};
     }
 
-    Result<std::vector<BrepCoedge>> coedgesOf(const TopoDS_Shape& wire, const TopoDS_Face& face, BrepFace& result,
-                                              const std::string& name)
+    Result<std::vector<BrepCoedge>> coedgesOf(const TopoDS_Shape& wire, const TopoDS_Face& face,
+                                              BrepFace& result, const std::string& name)
     {
         std::vector<BrepCoedge> coedges;
         for (TopoDS_Iterator part(wire); part.More(); part.Next()) {
@@ -192,7 +203,8 @@ private:
                 result.embeddedEdges.push_back(id);
                 continue;
             }
-            BrepCoedge coedge{id, edge.Orientation() == TopAbs_REVERSED, parameterCurve(edge, face, id, result), 0.0};
+            BrepCoedge coedge{id, edge.Orientation() == TopAbs_REVERSED,
+                              parameterCurve(edge, face, id, result), 0.0};
             if (!coedge.parameterCurve) return broken(name, nameOf(id) + " has no parameter curve on it");
             fitToEdge(coedge, result, name);
             coedges.push_back(std::move(coedge));
@@ -216,13 +228,15 @@ private:
     }
 
     /// Largest distance between the edge and its lift by the parameter curve.
-    double measureGap(const BrepEdge& edge, const ParameterCurve& parameterCurve, const Surface& surface) const
+    double measureGap(const BrepEdge& edge, const ParameterCurve& parameterCurve,
+                      const Surface& surface) const
     {
         constexpr int kSamples = 16;
         double gap = 0.0;
         for (int i = 0; i <= kSamples; ++i) {
             const double t = edge.part.at(static_cast<double>(i) / kSamples);
-            const Vec3 exact = edge.isDegenerate ? model_.vertices[edge.first].position : edge.curve->position(t);
+            const Vec3 exact =
+                edge.isDegenerate ? model_.vertices[edge.first].position : edge.curve->position(t);
             gap = std::max(gap, length(surface.position(parameterCurve.position(t)) - exact));
         }
         return gap;
@@ -237,19 +251,20 @@ private:
         double allowed = std::max(edge.tolerance, face.tolerance);
         if (edge.isDegenerate) allowed = std::max(allowed, model_.vertices[edge.first].tolerance);
         if (coedge.gap > Precision::Confusion() && edge.curve) {
-            auto fitted = std::make_shared<ProjectedParameterCurve>(edge.curve->clone(), face.surface->clone(),
-                                                                    coedge.parameterCurve->clone());
+            auto fitted = std::make_shared<ProjectedParameterCurve>(
+                edge.curve->clone(), face.surface->clone(), coedge.parameterCurve->clone());
             const double fittedGap = measureGap(edge, *fitted, *face.surface);
             if (fittedGap < 0.5 * coedge.gap) {
                 if (coedge.gap > allowed) {
-                    note(nameOf(coedge.edge), "has a parameter curve " + shortNumber(coedge.gap) + " off on " + name +
-                                                  ", replaced by projection");
+                    note(nameOf(coedge.edge), "has a parameter curve " + shortNumber(coedge.gap) +
+                                                  " off on " + name + ", replaced by projection");
                 }
                 coedge.parameterCurve = std::move(fitted);
                 coedge.gap = fittedGap;
             }
         }
-        if (coedge.gap > allowed) note(nameOf(coedge.edge), "lies up to " + shortNumber(coedge.gap) + " off " + name);
+        if (coedge.gap > allowed)
+            note(nameOf(coedge.edge), "lies up to " + shortNumber(coedge.gap) + " off " + name);
     }
 
     BrepShell makeShell(const TopoDS_Shape& shell) const

@@ -26,7 +26,8 @@ bool looksLikeIges(std::string_view content)
     if (end == std::string_view::npos || end <= kIgesSectionColumn) return false;
     const char section = content[kIgesSectionColumn];
     const std::string_view number = content.substr(kIgesSectionColumn + 1, end - kIgesSectionColumn - 1);
-    return (section == 'S' || section == 'C') && number.find_first_not_of(" 0123456789") == std::string_view::npos;
+    return (section == 'S' || section == 'C') &&
+           number.find_first_not_of(" 0123456789") == std::string_view::npos;
 }
 
 }  // namespace
@@ -59,13 +60,15 @@ std::optional<ModelFormat> recogniseFormat(std::string_view content)
 std::optional<std::string_view> findTruncation(ModelFormat format, std::string_view content)
 {
     const std::string_view tail = content.substr(content.size() - std::min(content.size(), kTailLength));
-    if (format == ModelFormat::Step && !contains(tail, "END-ISO-10303-21")) return "END-ISO-10303-21 is missing";
+    if (format == ModelFormat::Step && !contains(tail, "END-ISO-10303-21"))
+        return "END-ISO-10303-21 is missing";
     if (format == ModelFormat::BrepText && !contains(content, "\nTShapes ")) return "its shapes are missing";
     if (format == ModelFormat::Iges) {
         const std::size_t end = tail.find_last_not_of(" \r\n");
         const std::size_t line = end == std::string_view::npos ? end : tail.find_last_of("\r\n", end);
         const std::size_t begin = line == std::string_view::npos ? 0 : line + 1;
-        const bool isTerminated = tail.size() > begin + kIgesSectionColumn && tail[begin + kIgesSectionColumn] == 'T';
+        const bool isTerminated =
+            tail.size() > begin + kIgesSectionColumn && tail[begin + kIgesSectionColumn] == 'T';
         if (!isTerminated) return "its terminate section is missing";
     }
     return {};

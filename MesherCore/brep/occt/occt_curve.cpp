@@ -117,7 +117,8 @@ std::shared_ptr<const Curve> makeSpline(const Handle(Geom_BSplineCurve) & spline
         if (spline->IsRational()) data.weights.push_back(spline->Weight(i));
     }
     for (int i = 1; i <= spline->NbKnots(); ++i) {
-        data.knots.insert(data.knots.end(), static_cast<std::size_t>(spline->Multiplicity(i)), spline->Knot(i));
+        data.knots.insert(data.knots.end(), static_cast<std::size_t>(spline->Multiplicity(i)),
+                          spline->Knot(i));
     }
     return tryOwnSpline(std::move(data));
 }
@@ -131,7 +132,10 @@ public:
     }
 
     Vec2 position(double t) const override { return toVec(geometry_->Value(offset_ + scale_ * t)); }
-    std::unique_ptr<ParameterCurve> clone() const override { return std::make_unique<OcctParameterCurve>(*this); }
+    std::unique_ptr<ParameterCurve> clone() const override
+    {
+        return std::make_unique<OcctParameterCurve>(*this);
+    }
 
 private:
     Handle(Geom2d_Curve) geometry_;  ///< evaluates without a cache, so that threads may share it
@@ -143,14 +147,17 @@ private:
 
 std::shared_ptr<const Curve> makeCurve(const Handle(Geom_Curve) & geometry, Interval part)
 {
-    if (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(geometry)) return makeCurve(trimmed->BasisCurve(), part);
+    if (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(geometry))
+        return makeCurve(trimmed->BasisCurve(), part);
     if (const auto line = Handle(Geom_Line)::DownCast(geometry)) {
-        return std::make_shared<LineCurve>(toVec(line->Position().Location()), toVec(line->Position().Direction()), part);
+        return std::make_shared<LineCurve>(toVec(line->Position().Location()),
+                                           toVec(line->Position().Direction()), part);
     }
     if (const auto circle = Handle(Geom_Circle)::DownCast(geometry); circle && circle->Radius() > 0.0) {
         return std::make_shared<CircleCurve>(toAxes(circle->Position()), circle->Radius(), part);
     }
-    if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(geometry); ellipse && ellipse->MinorRadius() > 0.0) {
+    if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(geometry);
+        ellipse && ellipse->MinorRadius() > 0.0) {
         return std::make_shared<EllipseCurve>(toAxes(ellipse->Position()), ellipse->MajorRadius(),
                                               ellipse->MinorRadius(), part);
     }

@@ -14,7 +14,8 @@ namespace mesher {
 
 /// Runs a step that calls OCCT and returns a Result; whatever it throws becomes an Error about the entity.
 template <class Step>
-[[nodiscard]] auto guarded(const std::string& entity, const std::string& remedy, Step&& step) -> decltype(step())
+[[nodiscard]] auto guarded(const std::string& entity, const std::string& remedy, Step&& step)
+    -> decltype(step())
 {
     try {
         return std::forward<Step>(step)();

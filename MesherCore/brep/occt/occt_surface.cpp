@@ -1,6 +1,6 @@
 #include "brep/occt/occt_surface.h"
 
-#include "brep/analytic/periodic.h"
+#include "brep/analytic/bspline_surface.h"
 #include "brep/analytic/plane_surface.h"
 #include "brep/analytic/round_surfaces.h"
 #include "brep/occt/occt_convert.h"
@@ -65,21 +65,16 @@ double bound(double value)
     return Precision::IsNegativeInfinite(value) ? kUnbounded.first : value;
 }
 
-/// The range where it ends, the window where it does not.
-Interval searchWindow(Interval range, Interval window, double period)
-{
-    if (period > 0.0) return {range.first, range.first + period};
-    const double margin = window.length();
-    return {std::isfinite(range.first) ? range.first : window.first - margin,
-            std::isfinite(range.last) ? range.last : window.last + margin};
-}
-
 /// A surface that the kernel evaluates. The adaptor keeps the last patch it was asked for.
 class OcctSurface final : public Surface
 {
 public:
     OcctSurface(Handle(Geom_Surface) geometry, Interval windowU, Interval windowV)
-        : geometry_(std::move(geometry)), adaptor_(geometry_), windowU_(windowU), windowV_(windowV)
+        : geometry_(std::move(geometry)),
+          adaptor_(geometry_),
+          windowU_(windowU),
+          windowV_(windowV),
+          search_(windowU, windowV)
     {
         double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
         geometry_->Bounds(u0, u1, v0, v1);
@@ -106,38 +101,18 @@ public:
     }
     SurfaceProjection project(const Vec3& point, std::optional<Vec2> seed) const override
     {
-        if (seed) return projectFromSeed(*this, point, *seed, rangeU_, rangeV_);
-        if (!grids_) grids_ = std::make_shared<const Grids>(makeGrids());
-        SurfaceProjection found = grids_->face.project(*this, point);
-        const SurfaceProjection elsewhere = grids_->whole.project(*this, point);
-        if (elsewhere.distance < found.distance) found = elsewhere;
-        if (periodU_ > 0.0) found.parameters.x = wrapInto(found.parameters.x, rangeU_.first, periodU_);
-        if (periodV_ > 0.0) found.parameters.y = wrapInto(found.parameters.y, rangeV_.first, periodV_);
-        return found;
+        return search_.project(*this, point, seed);
     }
     std::span<const double> breaksU() const override { return breaksU_; }
     std::span<const double> breaksV() const override { return breaksV_; }
     std::unique_ptr<Surface> clone() const override
     {
         auto copy = std::make_unique<OcctSurface>(geometry_, windowU_, windowV_);
-        copy->grids_ = grids_;
+        copy->search_ = search_;
         return copy;
     }
 
 private:
-    /// The face may be small on its surface: a grid of its own finds what the coarse one of the whole surface misses.
-    struct Grids
-    {
-        SurfaceGrid face;
-        SurfaceGrid whole;
-    };
-
-    Grids makeGrids() const
-    {
-        return {SurfaceGrid(*this, windowU_, windowV_),
-                SurfaceGrid(*this, searchWindow(rangeU_, windowU_, periodU_), searchWindow(rangeV_, windowV_, periodV_))};
-    }
-
     Handle(Geom_Surface) geometry_;
     GeomAdaptor_Surface adaptor_;
     Interval windowU_;
@@ -148,7 +123,7 @@ private:
     double periodV_ = 0.0;
     std::vector<double> breaksU_;
     std::vector<double> breaksV_;
-    mutable std::shared_ptr<const Grids> grids_;  ///< made at the first search without a seed
+    SurfaceSearch search_;
 };
 
 std::shared_ptr<const Surface> tryAnalytic(const Handle(Geom_Surface) & geometry)
@@ -168,19 +143,50 @@ std::shared_ptr<const Surface> tryAnalytic(const Handle(Geom_Surface) & geometry
         return std::make_shared<SphereSurface>(toAxes(sphere->Position()), sphere->Radius());
     }
     if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(geometry)) {
-        return std::make_shared<TorusSurface>(toAxes(torus->Position()), torus->MajorRadius(), torus->MinorRadius());
+        return std::make_shared<TorusSurface>(toAxes(torus->Position()), torus->MajorRadius(),
+                                              torus->MinorRadius());
     }
     return nullptr;
 }
 
+/// The kernel's spline as the project's own, unless it is periodic.
+std::shared_ptr<const Surface> trySpline(const Handle(Geom_BSplineSurface) & spline, Interval windowU,
+                                         Interval windowV)
+{
+    if (spline->IsUPeriodic() || spline->IsVPeriodic()) return nullptr;
+    BSplineSurfaceData data;
+    data.degreeU = static_cast<std::size_t>(spline->UDegree());
+    data.degreeV = static_cast<std::size_t>(spline->VDegree());
+    for (int i = 1; i <= spline->NbUKnots(); ++i) {
+        data.knotsU.insert(data.knotsU.end(), static_cast<std::size_t>(spline->UMultiplicity(i)),
+                           spline->UKnot(i));
+    }
+    for (int i = 1; i <= spline->NbVKnots(); ++i) {
+        data.knotsV.insert(data.knotsV.end(), static_cast<std::size_t>(spline->VMultiplicity(i)),
+                           spline->VKnot(i));
+    }
+    const bool isRational = spline->IsURational() || spline->IsVRational();
+    for (int i = 1; i <= spline->NbUPoles(); ++i) {
+        for (int j = 1; j <= spline->NbVPoles(); ++j) {
+            data.poles.push_back(toVec(spline->Pole(i, j)));
+            if (isRational) data.weights.push_back(spline->Weight(i, j));
+        }
+    }
+    return std::make_shared<BSplineSurface>(std::move(data), windowU, windowV);
+}
+
 }  // namespace
 
-std::shared_ptr<const Surface> makeSurface(const Handle(Geom_Surface) & geometry, Interval windowU, Interval windowV)
+std::shared_ptr<const Surface> makeSurface(const Handle(Geom_Surface) & geometry, Interval windowU,
+                                           Interval windowV)
 {
     if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(geometry)) {
         return makeSurface(trimmed->BasisSurface(), windowU, windowV);
     }
     if (auto analytic = tryAnalytic(geometry)) return analytic;
+    if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(geometry)) {
+        if (auto own = trySpline(spline, windowU, windowV)) return own;
+    }
     return std::make_shared<OcctSurface>(geometry, windowU, windowV);
 }
 

@@ -28,8 +28,10 @@ Result<std::string> readBytes(const std::filesystem::path& path)
     std::error_code code;
     const std::filesystem::file_status status = std::filesystem::status(path, code);
     if (!std::filesystem::exists(status)) return unreadable(name, "there is no such file", "check the path");
-    if (std::filesystem::is_directory(status)) return unreadable(name, "it is a folder", "name a model file in it");
-    if (!std::filesystem::is_regular_file(status)) return unreadable(name, "it is no regular file", "name a model file");
+    if (std::filesystem::is_directory(status))
+        return unreadable(name, "it is a folder", "name a model file in it");
+    if (!std::filesystem::is_regular_file(status))
+        return unreadable(name, "it is no regular file", "name a model file");
     std::ifstream file(path, std::ios::binary);
     if (!file) return unreadable(name, "the file cannot be opened", "check its permissions");
     std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -61,15 +63,18 @@ Result<ReadModel> makeModel(TopoDS_Shape shape, const ReadOptions& options)
     return ReadModel{*std::move(model), std::make_shared<const TopoDS_Shape>(std::move(shape)), "", ""};
 }
 
-Result<ReadModel> readContent(const std::string& content, const std::string& name, bool isFile, const ReadOptions& options)
+Result<ReadModel> readContent(const std::string& content, const std::string& name, bool isFile,
+                              const ReadOptions& options)
 {
     const std::optional<ModelFormat> format = recogniseFormat(content);
     if (!format) {
-        return unreadable(name, "it is neither STEP nor IGES nor BREP", "export the model in one of these formats");
+        return unreadable(name, "it is neither STEP nor IGES nor BREP",
+                          "export the model in one of these formats");
     }
     if (const auto missing = findTruncation(*format, content)) {
-        return unreadable(name, "the " + std::string(nameOf(*format)) + " file is truncated: " + std::string(*missing),
-                          "export or copy the model again");
+        return unreadable(
+            name, "the " + std::string(nameOf(*format)) + " file is truncated: " + std::string(*missing),
+            "export or copy the model again");
     }
     if (*format == ModelFormat::Iges && !isFile) {
         return unreadable(name, "IGES is read from files only", "write it to a file first");

@@ -37,10 +37,11 @@ struct ReadModel
 [[nodiscard]] Result<ReadModel> readModel(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same from memory; not IGES, which the kernel reads from files only. `name` is what errors call it.
-[[nodiscard]] Result<ReadModel> readModelFromMemory(std::span<const std::byte> content, const std::string& name,
-                                                    const ReadOptions& options = {});
+[[nodiscard]] Result<ReadModel> readModelFromMemory(std::span<const std::byte> content,
+                                                    const std::string& name, const ReadOptions& options = {});
 
 /// From the kernel's own shape, e.g. one made in memory.
-[[nodiscard]] Result<ReadModel> readModelFromShape(const TopoDS_Shape& shape, const ReadOptions& options = {});
+[[nodiscard]] Result<ReadModel> readModelFromShape(const TopoDS_Shape& shape,
+                                                   const ReadOptions& options = {});
 
 }  // namespace mesher

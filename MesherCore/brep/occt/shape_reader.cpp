@@ -43,7 +43,8 @@ std::string reasonOf(IFSelect_ReturnStatus status)
 template <class Reader>
 Result<TopoDS_Shape> transfer(Reader& reader, const std::string& name)
 {
-    if (reader.TransferRoots() == 0) return unreadable(name, "nothing in it is a shape", "export solids, shells or faces");
+    if (reader.TransferRoots() == 0)
+        return unreadable(name, "nothing in it is a shape", "export solids, shells or faces");
     TopoDS_Shape shape = reader.OneShape();
     if (shape.IsNull()) return unreadable(name, "its shape is null");
     return shape;
@@ -55,7 +56,8 @@ Result<ShapeFromFile> readStep(const std::string& content, const std::string& na
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     std::istringstream stream(content);
     const IFSelect_ReturnStatus status = reader.ReadStream(name.c_str(), stream);
-    if (status != IFSelect_RetDone) return unreadable(name, "the STEP file cannot be read: " + reasonOf(status));
+    if (status != IFSelect_RetDone)
+        return unreadable(name, "the STEP file cannot be read: " + reasonOf(status));
     Result<TopoDS_Shape> shape = transfer(reader, name);
     if (!shape) return shape.error();
     TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
@@ -68,7 +70,8 @@ Result<ShapeFromFile> readIges(const std::string& name)
     IGESControl_Reader reader;
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     const IFSelect_ReturnStatus status = reader.ReadFile(name.c_str());
-    if (status != IFSelect_RetDone) return unreadable(name, "the IGES file cannot be read: " + reasonOf(status));
+    if (status != IFSelect_RetDone)
+        return unreadable(name, "the IGES file cannot be read: " + reasonOf(status));
     Result<TopoDS_Shape> shape = transfer(reader, name);
     if (!shape) return shape.error();
     const Handle(TCollection_HAsciiString) unit = reader.IGESModel()->GlobalSection().UnitName();

@@ -12,15 +12,16 @@ namespace mesher {
 
 namespace {
 
-void listChanges(const TopoDS_Shape& shape, TopAbs_ShapeEnum type, const char* name, BRepTools_ReShape& changes,
-                 std::vector<std::string>& list)
+void listChanges(const TopoDS_Shape& shape, TopAbs_ShapeEnum type, const char* name,
+                 BRepTools_ReShape& changes, std::vector<std::string>& list)
 {
     TopTools_IndexedMapOfShape entities;
     TopExp::MapShapes(shape, type, entities);
     for (int i = 1; i <= entities.Extent(); ++i) {
         if (!changes.IsRecorded(entities(i))) continue;
         const bool isRemoved = changes.Value(entities(i)).IsNull();
-        list.push_back(name + std::to_string(i) + (isRemoved ? " was removed by healing" : " was changed by healing"));
+        list.push_back(name + std::to_string(i) +
+                       (isRemoved ? " was removed by healing" : " was changed by healing"));
     }
 }
 
@@ -33,7 +34,11 @@ Result<RepairedShape> repairShape(const TopoDS_Shape& shape)
         fix.Perform();
         RepairedShape result{fix.Shape(), {}};
         if (result.shape.IsNull()) {
-            return Error{ErrorCode::DegenerateInput, "healing leaves nothing of it", "the model", {}, "read it without healing"};
+            return Error{ErrorCode::DegenerateInput,
+                         "healing leaves nothing of it",
+                         "the model",
+                         {},
+                         "read it without healing"};
         }
         const Handle(ShapeBuild_ReShape) changes = fix.Context();
         listChanges(shape, TopAbs_FACE, "Face", *changes, result.changes);

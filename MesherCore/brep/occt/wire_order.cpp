@@ -30,7 +30,8 @@ public:
                 loop.coedges.push_back(coedges_[*next]);
                 last = *next;
             }
-            if (vertexAt(last, true) != vertexAt(start, false)) result.openVertices.push_back(vertexAt(last, true));
+            if (vertexAt(last, true) != vertexAt(start, false))
+                result.openVertices.push_back(vertexAt(last, true));
             result.loops.push_back(std::move(loop));
         }
         return result;

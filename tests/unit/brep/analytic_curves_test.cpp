@@ -29,7 +29,8 @@ std::vector<Vec3> randomPoles(std::size_t count, std::uint64_t seed)
     Random random(seed);
     std::vector<Vec3> poles;
     for (std::size_t i = 0; i < count; ++i) {
-        poles.push_back({static_cast<double>(i) + random.between(-0.5, 0.5), random.between(-2.0, 2.0), random.between(-1.0, 1.0)});
+        poles.push_back({static_cast<double>(i) + random.between(-0.5, 0.5), random.between(-2.0, 2.0),
+                         random.between(-1.0, 1.0)});
     }
     return poles;
 }
@@ -90,7 +91,8 @@ TEST(AnalyticCurves, PolylineTurnsAtItsCorners)
 TEST(AnalyticCurves, RationalQuadraticIsACircle)
 {
     const double h = std::sqrt(0.5);
-    const auto arc = BSplineCurve::makeBezier({{1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}, {1.0, h, 1.0});
+    const auto arc =
+        BSplineCurve::makeBezier({{1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}, {1.0, h, 1.0});
     ASSERT_TRUE(arc);
     EXPECT_EQ((*arc)->kind(), CurveKind::Bezier);
     for (int i = 0; i <= 20; ++i) {

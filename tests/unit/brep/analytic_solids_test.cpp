@@ -69,7 +69,8 @@ TEST(AnalyticSolids, BadSizesAreRefused)
 TEST(RoundSurfaces, SelfCrossingAndMirroredOnesKeepTheContract)
 {
     const auto expectSurface = [](const Surface& surface, Interval v) {
-        for (const auto& line : test::findBrokenPromises(surface, surface.rangeU(), v, 10.0, 60)) ADD_FAILURE() << line;
+        for (const auto& line : test::findBrokenPromises(surface, surface.rangeU(), v, 10.0, 60))
+            ADD_FAILURE() << line;
     };
     expectSurface(TorusSurface(kTilted, 1.0, 1.5), {0.0, RoundSurface::kTurn});
     expectSurface(TorusSurface(kTilted, 1.0, 1.0), {0.0, RoundSurface::kTurn});
@@ -97,7 +98,8 @@ TEST(RoundSurfaces, ASeedKeepsTheSheetTheImageAndThePole)
     EXPECT_GT(cone.project(belowApex, Vec2{0.0, 1.0}).parameters.y, -std::sqrt(2.0));
     EXPECT_LT(cone.project(belowApex, Vec2{0.0, -3.0}).parameters.y, -std::sqrt(2.0));
     const CylinderSurface cylinder({}, 1.0);
-    EXPECT_NEAR(cylinder.project({1.0, 0.01, 0.0}, Vec2{6.2, 0.0}).parameters.x, 6.283185307179586 + 0.01, 1e-6);
+    EXPECT_NEAR(cylinder.project({1.0, 0.01, 0.0}, Vec2{6.2, 0.0}).parameters.x, 6.283185307179586 + 0.01,
+                1e-6);
     EXPECT_EQ(SphereSurface({}, 1.0).project({0.0, 0.0, 2.0}, Vec2{1.25, 1.5}).parameters.x, 1.25);
 }
 

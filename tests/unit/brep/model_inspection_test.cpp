@@ -24,7 +24,8 @@ TEST(ModelInspection, MeasuresSolidsOfKnownArea)
     EXPECT_NEAR(box.smallestEdge.value().length, 1.0, 1e-15);
     EXPECT_NEAR(box.smallestAngle.value().degrees, 90.0, 1e-12);
     EXPECT_EQ(box.facesByType, (std::map<std::string, std::size_t>{{"plane", 6}}));
-    EXPECT_TRUE(box.freeEdges.empty() && box.nonManifoldEdges.empty() && box.slivers.empty() && box.gaps.empty());
+    EXPECT_TRUE(box.freeEdges.empty() && box.nonManifoldEdges.empty() && box.slivers.empty() &&
+                box.gaps.empty());
     EXPECT_NEAR(inspectModel(makeSphere({}, 2.0).value()).area, 16.0 * kPi, 1e-4);
     EXPECT_NEAR(inspectModel(makeTorus({}, 3.0, 1.0).value()).area, 12.0 * kPi * kPi, 1e-4);
     const ModelFacts cylinder = inspectModel(makeCylinder({}, 1.0, 2.0).value());

@@ -61,7 +61,8 @@ TEST(OcctModel, UsesClosedFormsWhereThereAreAny)
     };
     EXPECT_EQ(kindsOf("pointed cone"), (std::set{SurfaceKind::Plane, SurfaceKind::Cone}));
     EXPECT_EQ(kindsOf("placed torus"), (std::set{SurfaceKind::Torus}));
-    EXPECT_EQ(kindsOf("mirrored filleted box"), (std::set{SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere}));
+    EXPECT_EQ(kindsOf("mirrored filleted box"),
+              (std::set{SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere}));
     EXPECT_EQ(kindsOf("offset face"), (std::set{SurfaceKind::Offset}));
     EXPECT_EQ(kindsOf("revolved spline"), (std::set{SurfaceKind::Revolution}));
     EXPECT_EQ(kindsOf("extruded spline"), (std::set{SurfaceKind::Extrusion}));
@@ -96,7 +97,8 @@ TEST(OcctModel, SeamIsUsedTwiceWithTwoParameterCurves)
             ASSERT_EQ(face.loops[0].coedges.size(), 4u);
             std::vector<double> seamU;
             for (const BrepCoedge& coedge : face.loops[0].coedges) {
-                if (!model.edges[coedge.edge].isClosed()) seamU.push_back(coedge.parameterCurve->position(1.0).x);
+                if (!model.edges[coedge.edge].isClosed())
+                    seamU.push_back(coedge.parameterCurve->position(1.0).x);
             }
             ASSERT_EQ(seamU.size(), 2u);
             EXPECT_NEAR(std::abs(seamU[0] - seamU[1]), face.surface->periodU(), 1e-12);

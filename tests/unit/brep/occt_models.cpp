@@ -61,7 +61,8 @@ TopoDS_Shape filletedBox()
 {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(4.0, 3.0, 2.0).Shape();
     BRepFilletAPI_MakeFillet fillet(box);
-    for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More(); edge.Next()) fillet.Add(0.4, TopoDS::Edge(edge.Current()));
+    for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More(); edge.Next())
+        fillet.Add(0.4, TopoDS::Edge(edge.Current()));
     return fillet.Shape();
 }
 
@@ -106,25 +107,26 @@ TopoDS_Shape gluedBoxes()
 std::vector<std::pair<std::string, TopoDS_Shape>> kernelModels()
 {
     const double turn = 2.0 * std::numbers::pi;
-    return {{"box", BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()},
-            {"cylinder", BRepPrimAPI_MakeCylinder(1.0, 3.0).Shape()},
-            {"part of a cylinder", BRepPrimAPI_MakeCylinder(1.0, 3.0, 1.5).Shape()},
-            {"cone", BRepPrimAPI_MakeCone(2.0, 1.0, 3.0).Shape()},
-            {"pointed cone", BRepPrimAPI_MakeCone(2.0, 0.0, 3.0).Shape()},
-            {"sphere", BRepPrimAPI_MakeSphere(2.0).Shape()},
-            {"part of a sphere", BRepPrimAPI_MakeSphere(2.0, -0.5, 1.0, 2.0).Shape()},
-            {"torus", BRepPrimAPI_MakeTorus(3.0, 1.0).Shape()},
-            {"part of a torus", BRepPrimAPI_MakeTorus(3.0, 1.0, 0.5, 2.5, 1.0).Shape()},
-            {"filleted box", filletedBox()},
-            {"mirrored filleted box", mirrored(filletedBox())},
-            {"mirrored cone", mirrored(BRepPrimAPI_MakeCone(2.0, 1.0, 3.0).Shape())},
-            {"placed torus", placed(BRepPrimAPI_MakeTorus(3.0, 1.0).Shape())},
-            {"spline face", BRepBuilderAPI_MakeFace(wavySurface(), 1e-7).Shape()},
-            {"offset face", BRepBuilderAPI_MakeFace(new Geom_OffsetSurface(wavySurface(), 0.2), 1e-7).Shape()},
-            {"revolved spline", BRepPrimAPI_MakeRevol(wavyEdge(), gp_Ax1(), turn).Shape()},
-            {"extruded spline", BRepPrimAPI_MakePrism(wavyEdge(), gp_Vec(0.3, 2.0, 0.1)).Shape()},
-            {"drilled plate", drilledPlate()},
-            {"glued boxes", gluedBoxes()}};
+    return {
+        {"box", BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()},
+        {"cylinder", BRepPrimAPI_MakeCylinder(1.0, 3.0).Shape()},
+        {"part of a cylinder", BRepPrimAPI_MakeCylinder(1.0, 3.0, 1.5).Shape()},
+        {"cone", BRepPrimAPI_MakeCone(2.0, 1.0, 3.0).Shape()},
+        {"pointed cone", BRepPrimAPI_MakeCone(2.0, 0.0, 3.0).Shape()},
+        {"sphere", BRepPrimAPI_MakeSphere(2.0).Shape()},
+        {"part of a sphere", BRepPrimAPI_MakeSphere(2.0, -0.5, 1.0, 2.0).Shape()},
+        {"torus", BRepPrimAPI_MakeTorus(3.0, 1.0).Shape()},
+        {"part of a torus", BRepPrimAPI_MakeTorus(3.0, 1.0, 0.5, 2.5, 1.0).Shape()},
+        {"filleted box", filletedBox()},
+        {"mirrored filleted box", mirrored(filletedBox())},
+        {"mirrored cone", mirrored(BRepPrimAPI_MakeCone(2.0, 1.0, 3.0).Shape())},
+        {"placed torus", placed(BRepPrimAPI_MakeTorus(3.0, 1.0).Shape())},
+        {"spline face", BRepBuilderAPI_MakeFace(wavySurface(), 1e-7).Shape()},
+        {"offset face", BRepBuilderAPI_MakeFace(new Geom_OffsetSurface(wavySurface(), 0.2), 1e-7).Shape()},
+        {"revolved spline", BRepPrimAPI_MakeRevol(wavyEdge(), gp_Ax1(), turn).Shape()},
+        {"extruded spline", BRepPrimAPI_MakePrism(wavyEdge(), gp_Vec(0.3, 2.0, 0.1)).Shape()},
+        {"drilled plate", drilledPlate()},
+        {"glued boxes", gluedBoxes()}};
 }
 
 TopoDS_Wire polygon(const std::vector<gp_Pnt>& points, bool isClosed)

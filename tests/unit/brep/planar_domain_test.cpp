@@ -27,10 +27,7 @@ using FaceIds = std::vector<BrepFaceId>;
 
 const BrepFaceId kFirst(0u);
 
-BrepModel modelOf(const TopoDS_Shape& shape)
-{
-    return readModelFromShape(shape).value().model;
-}
+BrepModel modelOf(const TopoDS_Shape& shape) { return readModelFromShape(shape).value().model; }
 
 Result<PlanarCurveComplex> domainOf(const TopoDS_Shape& shape, const FaceIds& faces = {kFirst})
 {
@@ -53,7 +50,8 @@ double areaOf(const PlanarCurveComplex& complex, RegionId region)
     for (const PccCurve& curve : complex.curves) {
         const double sign = (curve.left == region ? 1.0 : 0.0) - (curve.right == region ? 1.0 : 0.0);
         for (int i = 0; i < kChords && sign != 0.0; ++i) {
-            const Vec2 a = complex.frame.toPlane(curve.curve->position(curve.part.at(static_cast<double>(i) / kChords)));
+            const Vec2 a =
+                complex.frame.toPlane(curve.curve->position(curve.part.at(static_cast<double>(i) / kChords)));
             const Vec2 b = complex.frame.toPlane(curve.curve->position(curve.part.at((i + 1.0) / kChords)));
             area += 0.5 * sign * cross(a, b);
         }
@@ -61,7 +59,8 @@ double areaOf(const PlanarCurveComplex& complex, RegionId region)
     return area;
 }
 
-void expectError(const Result<PlanarCurveComplex>& result, const std::string& entity, const std::string& message)
+void expectError(const Result<PlanarCurveComplex>& result, const std::string& entity,
+                 const std::string& message)
 {
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().entity.find(entity), std::string::npos) << describe(result.error());
@@ -127,7 +126,8 @@ TEST(PlanarDomain, EmbeddedEdgesAndVerticesBelongToTheirFace)
     const BRep_Builder builder;
     TopoDS_Wire slit;
     builder.MakeWire(slit);
-    builder.Add(slit, BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, 0), gp_Pnt(3, 1, 0)).Edge().Oriented(TopAbs_INTERNAL));
+    builder.Add(slit,
+                BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, 0), gp_Pnt(3, 1, 0)).Edge().Oriented(TopAbs_INTERNAL));
     builder.Add(face, slit);
     TopoDS_Vertex point;
     builder.MakeVertex(point, gp_Pnt(2, 3, 0), 1e-7);
@@ -150,14 +150,18 @@ TEST(PlanarDomain, CurvedFacesAreRefusedWithTheirDistance)
     EXPECT_FALSE(planarCurveComplex(cylinder, FaceIds{}));
     expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(7u)}), "Face8", "no such face");
     expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(1u), BrepFaceId(1u)}), "Face2", "twice");
-    expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(1u), BrepFaceId(2u)}), "Edge3", "3 off the plane of Face2");
+    expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(1u), BrepFaceId(2u)}), "Edge3",
+                "3 off the plane of Face2");
 }
 
 TEST(PlanarDomain, OpenNullAndFlatWiresAreRefused)
 {
-    expectError(domainOf(test::rawFace(test::polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, false))), "Face1", "open between");
-    expectError(domainOf(test::rawFace(test::polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}))), "Face1", "no area");
-    expectError(domainOf(test::rawFace(test::polygon({{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}))), "Face1", "wrong way");
+    expectError(domainOf(test::rawFace(test::polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, false))), "Face1",
+                "open between");
+    expectError(domainOf(test::rawFace(test::polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}))), "Face1",
+                "no area");
+    expectError(domainOf(test::rawFace(test::polygon({{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}))), "Face1",
+                "wrong way");
     TopoDS_Wire nothing;
     BRep_Builder().MakeWire(nothing);
     EXPECT_FALSE(domainOf(test::rawFace(nothing)));
@@ -166,7 +170,8 @@ TEST(PlanarDomain, OpenNullAndFlatWiresAreRefused)
 TEST(PlanarDomain, CrossingEdgesAreNamedWithThePoint)
 {
     // A bow tie whose left half is the larger one, so that its area does not vanish.
-    const auto bowTie = domainOf(test::rawFace(test::polygon({{0, 0, 0}, {4, 4, 0}, {4, 3, 0}, {0, 3.5, 0}, {0, 2, 0}, {3, 0, 0}})));
+    const auto bowTie = domainOf(
+        test::rawFace(test::polygon({{0, 0, 0}, {4, 4, 0}, {4, 3, 0}, {0, 3.5, 0}, {0, 2, 0}, {3, 0, 0}})));
     expectError(bowTie, "Edge", "");
     BRepBuilderAPI_MakeFace pierced(circle(0.0, 2.0));
     pierced.Add(TopoDS::Wire(circle(1.5, 1.0).Reversed()));
@@ -198,8 +203,10 @@ TEST(PlanarDomain, CurvesTangentInACommonVertexAreNoCrossing)
     const BRep_Builder builder;
     TopoDS_Vertex common;
     builder.MakeVertex(common, gp_Pnt(0.0, 0.0, 0.0), 1e-7);
-    const TopoDS_Wire outside = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(axis, 2.0), common, common));
-    const TopoDS_Wire inside = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(inner, 1.0), common, common));
+    const TopoDS_Wire outside =
+        BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(axis, 2.0), common, common));
+    const TopoDS_Wire inside =
+        BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(inner, 1.0), common, common));
     BRepBuilderAPI_MakeFace face(outside);
     face.Add(TopoDS::Wire(inside.Reversed()));
     const auto domain = domainOf(face.Face());

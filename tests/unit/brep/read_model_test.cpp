@@ -174,9 +174,14 @@ TEST(ReadModel, BadFilesAreOneErrorWithFileAndRemedy)
     expectError(readText("", "empty.step"), "empty.step");
     expectError(readText("solid of nothing\n", "wrong.stl"), "wrong.stl");
     expectError(readText(std::string(5000, '\0'), "zeros.brep"), "zeros.brep");
-    expectError(readText("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n", "hollow.step"), "hollow.step");
-    expectError(readText("ISO-10303-21;\nnonsense $$$ (((\nEND-ISO-10303-21;\n", "nonsense.step"), "nonsense.step");
-    expectError(readText("\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nnonsense\nTShapes 99\n", "bad.brep"), "bad.brep");
+    expectError(
+        readText("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n", "hollow.step"),
+        "hollow.step");
+    expectError(readText("ISO-10303-21;\nnonsense $$$ (((\nEND-ISO-10303-21;\n", "nonsense.step"),
+                "nonsense.step");
+    expectError(readText("\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nnonsense\nTShapes 99\n",
+                         "bad.brep"),
+                "bad.brep");
     expectError(fromMemory(""), "the stream");
 }
 
@@ -200,7 +205,8 @@ TEST(ReadModel, NothingIsPrinted)
     EXPECT_TRUE(readText(step));
     EXPECT_FALSE(readText(step.substr(0, step.size() / 2)));
     EXPECT_FALSE(readText("ISO-10303-21;\nnonsense $$$ (((\nEND-ISO-10303-21;\n"));
-    EXPECT_FALSE(readText("\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nnonsense\nTShapes 99\n"));
+    EXPECT_FALSE(
+        readText("\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nnonsense\nTShapes 99\n"));
     EXPECT_FALSE(readText(binaryOf(test::drilledPlate()).substr(0, 3000)));
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");

@@ -30,7 +30,7 @@ std::shared_ptr<const Curve> arcLineArc()
     const double h = std::sqrt(0.5);
     BSplineData data;
     data.degree = 2;
-    data.poles = {{1.0, 0.0, 0.0},  {1.0, 1.0, 0.0},  {0.0, 1.0, 0.0},  {-2.0, 1.0, 0.0},
+    data.poles = {{1.0, 0.0, 0.0},  {1.0, 1.0, 0.0},  {0.0, 1.0, 0.0}, {-2.0, 1.0, 0.0},
                   {-4.0, 1.0, 0.0}, {-5.0, 1.0, 0.0}, {-5.0, 0.0, 0.0}};
     data.weights = {1.0, h, 1.0, 1.0, 1.0, h, 1.0};
     data.knots = {0.0, 0.0, 0.0, 1.0, 1.0, 5.0, 5.0, 6.0, 6.0, 6.0};
@@ -164,7 +164,8 @@ TEST(ParameterAtDistance, SaysWhenTheCurveComesBackBeforeItLeaves)
                              {0.0, 0.0, 1.0, 2.0, 3.0, 3.0});
     const TangentVariation turning(hook, {0.0, 3.0});
     EXPECT_TRUE(turning.parameterAtDistance({}, 1.9, {0.0, 3.0}, CurveEnd::First).isMonotone);
-    EXPECT_NEAR(turning.parameterAtDistance({}, 1.9, {0.0, 3.0}, CurveEnd::First).parameter.value(), 0.95, 1e-14);
+    EXPECT_NEAR(turning.parameterAtDistance({}, 1.9, {0.0, 3.0}, CurveEnd::First).parameter.value(), 0.95,
+                1e-14);
     const auto late = turning.parameterAtDistance({}, 3.0, {0.0, 3.0}, CurveEnd::First);
     EXPECT_FALSE(late.isMonotone);
     ASSERT_TRUE(late.parameter);
