@@ -91,7 +91,7 @@ SurfaceProjection projectFromSeed(const Surface& surface, const Vec3& point, Vec
                                   Interval windowV)
 {
     constexpr int kMostSteps = 60;
-    constexpr int kMostHalvings = 40;
+    constexpr double kUnmeasurable = 1e-7;
     const double periodU = surface.periodU(), periodV = surface.periodV();
     Vec2 uv{bounded(seed.x, windowU, periodU), bounded(seed.y, windowV, periodV)};
     SurfacePoint p = surface.evaluate(uv);
@@ -100,15 +100,24 @@ SurfaceProjection projectFromSeed(const Surface& surface, const Vec3& point, Vec
         const Vec3 d = p.position - point;
         Vec2 move = descentStep(p, d, isHeld(uv.x, dot(d, p.du), windowU, periodU),
                                 isHeld(uv.y, dot(d, p.dv), windowV, periodV));
-        const Vec3 motion = move.x * p.du + move.y * p.dv;
+        double motion = length(move.x * p.du + move.y * p.dv);
         // Below rounding of the point no step can be told from none.
         const double least =
-            kRounding * 0.25 * (std::abs(p.position.x) + std::abs(p.position.y) + std::abs(p.position.z));
-        if (length(motion) <= least) break;
+            kRounding * (std::abs(p.position.x) + std::abs(p.position.y) + std::abs(p.position.z));
+        if (motion <= least) break;
+        const auto stepBy = [&](Vec2 by) {
+            return Vec2{bounded(uv.x + by.x, windowU, periodU), bounded(uv.y + by.y, windowV, periodV)};
+        };
+        if (motion <= kUnmeasurable * distance) {
+            // The distance changes by less than its own rounding: the last step of a quadratic convergence.
+            uv = stepBy(move);
+            p = surface.evaluate(uv);
+            distance = length(p.position - point);
+            break;
+        }
         bool isLower = false;
-        for (int halving = 0; halving < kMostHalvings && !isLower; ++halving) {
-            const Vec2 next{bounded(uv.x + move.x, windowU, periodU),
-                            bounded(uv.y + move.y, windowV, periodV)};
+        for (; motion > least && !isLower; motion *= 0.5) {
+            const Vec2 next = stepBy(move);
             if (next == uv) break;
             const SurfacePoint q = surface.evaluate(next);
             const double reached = length(q.position - point);

@@ -189,7 +189,10 @@ private:
     {
         const BrepFace& face = model_.faces[id];
         for (const BrepLoop& loop : face.loops) {
-            const auto hasNone = [](const BrepCoedge& coedge) { return !coedge.parameterCurve; };
+            // A noted edge lies elsewhere than the parameter curve that the trim was made from.
+            const auto hasNone = [this](const BrepCoedge& coedge) {
+                return !coedge.parameterCurve || isNoted(nameOf(coedge.edge));
+            };
             if (std::any_of(loop.coedges.begin(), loop.coedges.end(), hasNone)) return;
         }
         const auto sides = polygonOf(face);
