@@ -116,7 +116,7 @@ private:
         const BoundaryVertex& first = t_.boundary.vertices[a];
         const BoundaryVertex& last = t_.boundary.vertices[b];
         const bool isOnOneShell =
-            first.shell.isValid() && first.shell == last.shell && first.shellExponent == last.shellExponent;
+            first.shell.isValid() && first.shell == last.shell && first.shellRadius == last.shellRadius;
         return isOnOneShell ? first.shell : SmallAngleId();
     }
 
