@@ -20,11 +20,15 @@ public:
 
     Result<BoundaryEnrichment2d> run()
     {
-        for (std::uint32_t i = 0; i < boundary_.vertices.size(); ++i) queue_.push_back(BoundaryVertexId(i));
         for (;;) {
+            // A split may open a line of sight that was blocked when its vertex had its turn: all get another one.
+            const std::size_t splitsBefore = result_.splits;
+            for (std::uint32_t i = 0; i < boundary_.vertices.size(); ++i) queue_.push_back(BoundaryVertexId(i));
+            ++result_.rounds;
             emptyQueue();
             if (error_) return *error_;
             if (isExhausted_) return result_;
+            if (result_.splits != splitsBefore) continue;
             const auto pairs = findIntersections(boundary_, index_);
             if (pairs.empty()) return result_;
             for (const auto& [first, second] : pairs) {

@@ -11,6 +11,7 @@ namespace mesher {
 struct BoundaryEnrichment2d
 {
     std::size_t splits = 0;
+    std::size_t rounds = 0;  ///< of Algorithm 2.1 over all vertices, the last one without a split
     /// Edges that still met others after Algorithm 2.1 had ended, and were split for it.
     std::size_t intersectionSplits = 0;
 };
@@ -22,7 +23,8 @@ struct BoundaryEnrichment2d
 /// Refuses      curves that meet away from a common point, told when the edges have become too short to be split
 /// Terminates   where small angles are protected (small_angles2d.h) and curves do not meet; the budget ends it earlier
 /// Cost         O(n log n) with an R-tree
-/// Reference    thesis Algorithms 2.1 and 2.2, [gosselin]
+/// Reference    thesis Algorithms 2.1 and 2.2, [gosselin]; run until a round finds nothing, because one round can leave
+///              vertices that only became visible when a blocking edge was split later
 [[nodiscard]] Result<BoundaryEnrichment2d> enrichBoundary(const PlanarDomain& domain, Boundary& boundary,
                                                           Budget& budget);
 

@@ -3,6 +3,7 @@
 
 #include "base/random.h"
 #include "base/run_context.h"
+#include "sizing/shape_sizes.h"
 #include "support/random_domains.h"
 #include "triangulation2d/planar_check.h"
 
@@ -41,10 +42,12 @@ std::optional<Options> parseOptions(int count, char** words)
     return options;
 }
 
-/// Every domain also draws how it is meshed.
-PlanarOptions drawOptions(Random& random)
+/// Every domain also draws how it is meshed; `ball` is used by some.
+PlanarOptions drawOptions(Random& random, const BallSize& ball)
 {
     PlanarOptions options;
+    if (random.below(4) == 0) options.refinement.sizing.field = &ball;
+    if (random.below(6) == 0) options.refinement.minAngle = random.between(0.0, 32.0);
     options.limits.maxVertices = 400'000;
     options.limits.maxOperations = 4'000'000;
     if (random.below(3) == 0) options.sampling.maxVariation = random.between(30.0, 90.0);
@@ -77,7 +80,12 @@ int run(const Options& options)
     for (std::uint64_t i = options.from; i < options.from + options.domains; ++i) {
         Random random(options.seed * 0x9E3779B97F4A7C15u + i);
         const RandomDomain domain = randomDomain(random());
-        const PlanarOptions planar = drawOptions(random);
+        DistanceProfile profile;
+        profile.size = random.between(0.01, 0.2);
+        profile.growth = random.between(0.1, 2.0);
+        const Vec3 centre{random.between(0.0, 2.0), random.between(0.0, 2.0), 0.0};
+        const BallSize ball(centre, random.between(0.0, 0.5), profile);
+        const PlanarOptions planar = drawOptions(random, ball);
         std::string summary;
         const auto start = std::chrono::steady_clock::now();
         const auto failure = failureOf(domain, planar, summary);

@@ -41,6 +41,31 @@ void addAirfoil(PlanarBuilder& builder, Vec2 nose, double chord, double degrees,
     builder.spline(front, lower, tail, kHole);
 }
 
+/// An element of a high-lift airfoil as one spline from the trailing edge around the nose, with a cove on the lower side where
+/// the next element retracts: `cove` is the part of the chord it takes.
+void addElement(PlanarBuilder& builder, Vec2 nose, double chord, double degrees, double thickness, double cove)
+{
+    const double angle = degrees * kPi / 180.0;
+    const auto place = [&](double x, double y) {
+        return nose + chord * Vec2{x * std::cos(angle) + y * std::sin(angle), -x * std::sin(angle) + y * std::cos(angle)};
+    };
+    const auto lowerAt = [&](double x) {
+        // Rises from the lower side to just below the upper one within two hundredths of the chord.
+        const double start = 1.0 - cove;
+        const double rise = cove > 0.0 ? 1.0 / (1.0 + std::exp(-(x - start - 0.05) / 0.008)) : 0.0;
+        const double half = nacaHalfThickness(x, thickness);
+        return -half + 1.7 * half * rise;
+    };
+    constexpr int kSamples = 100;
+    std::vector<Vec2> inner;
+    for (int i = 1; i < 2 * kSamples; ++i) {
+        const double x = 0.5 * (1.0 + std::cos(kPi * i / kSamples));
+        inner.push_back(place(x, i <= kSamples ? nacaHalfThickness(x, thickness) : lowerAt(x)));
+    }
+    const PccPointId tail = builder.point(place(1.0, 0.0));
+    builder.spline(tail, inner, tail, kHole);
+}
+
 void addRectangle(PlanarBuilder& builder, Vec2 low, Vec2 high, PlanarBuilder::Sides sides = {})
 {
     const Vec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
@@ -83,10 +108,10 @@ PlanarCurveComplex nacaInFarField()
 PlanarCurveComplex threeElementAirfoil()
 {
     PlanarBuilder builder;
-    builder.circle({0.5, 0.0}, 6.0);
-    addAirfoil(builder, {-0.12, -0.06}, 0.16, -30.0, 0.10, 0.10);
-    addAirfoil(builder, {0.02, 0.0}, 0.80, 0.0, 0.14, 0.03);
-    addAirfoil(builder, {0.80, -0.035}, 0.28, 35.0, 0.12, 0.03);
+    builder.circle({0.5, 0.0}, 3.0);
+    addElement(builder, {-0.155, -0.09}, 0.17, -32.0, 0.22, 0.75);
+    addElement(builder, {0.03, 0.0}, 0.80, 0.0, 0.16, 0.35);
+    addElement(builder, {0.865, -0.075}, 0.27, 35.0, 0.18, 0.0);
     return builder.build();
 }
 
