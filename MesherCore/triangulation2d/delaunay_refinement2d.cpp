@@ -3,38 +3,28 @@
 #include "base/bucket_queue.h"
 #include "predicates/coordinate_range.h"
 #include "triangulation2d/encroachment2d.h"
+#include "triangulation2d/refinement_criteria2d.h"
 #include "triangulation2d/straight_walk2d.h"
 #include "triangulation2d/triangle_shape2d.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <numbers>
 
 namespace mesher {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
-/// Thesis section 2.4.3: a triangle is too large if r / LS exceeds sqrt(2) / 2.
-constexpr double kSquaredSizeBound = 0.5;
-/// A user's size is an edge length: halves of edges above sqrt(2) times it are nearer to it than the whole.
-constexpr double kLongestOverWanted = std::numbers::sqrt2;
-
 class Refiner
 {
 public:
     Refiner(const PlanarDomain& domain, const RefinementOptions2d& options, RunContext& context, Budget& budget,
             PlanarTriangulation& triangulation)
         : domain_(domain), options_(options), context_(context), budget_(budget), t_(triangulation),
-          mesh_(triangulation.mesh()), splitter_(domain, triangulation), hasSizing_(options.sizing.isActive()),
-          hasField_(options.sizing.field != nullptr)
-    {
-        const double sine = std::sin(options.minAngle / kDegreesPerRadian);
-        // A hair beyond the bound, so that triangles exactly at it are not refined for a rounding error.
-        squaredBound_ = options.minAngle > 0.0 ? (1.0 + 1e-12) / (4.0 * sine * sine) : kInfinity;
-    }
+          mesh_(triangulation.mesh()), splitter_(domain, triangulation),
+          criteria_(domain, options, triangulation), hasSizing_(options.sizing.isActive())
+    {}
 
     Refinement2d run()
     {
@@ -53,19 +43,6 @@ public:
     }
 
 private:
-    enum class Need
-    {
-        Nothing,
-        Size,
-        Quality
-    };
-
-    struct Verdict
-    {
-        Need need = Need::Nothing;
-        double key = 0.0;
-    };
-
     enum class Attempt
     {
         Inserted,
@@ -75,63 +52,11 @@ private:
 
     // ---- what is to be done --------------------------------------------------------------------------------------
 
-    [[nodiscard]] Verdict judge(TriangleId t) const
-    {
-        const Triangle2d& record = mesh_.triangle(t);
-        const Vec2 a = mesh_.position(record.v[0]);
-        const Vec2 b = mesh_.position(record.v[1]);
-        const Vec2 c = mesh_.position(record.v[2]);
-        const TriangleShape2d shape = TriangleShape2d::of(a, b, c);
-        Verdict verdict;
-        if (hasSizing_) {
-            const double mean = (mesh_.lengthScale(record.v[0]) + mesh_.lengthScale(record.v[1]) +
-                                 mesh_.lengthScale(record.v[2])) / 3.0;
-            double squaredSize = kSquaredSizeBound * mean * mean;
-            if (hasField_) squaredSize = std::min(squaredSize, squaredFieldBound(a, b, c, shape, squaredSize));
-            if (shape.squaredRadius > squaredSize) verdict = {Need::Size, sizeClass(shape.squaredRadius / squaredSize)};
-        }
-        if (verdict.need == Need::Nothing && shape.squaredRatio() > squaredBound_) {
-            verdict = {Need::Quality, shape.squaredRatio()};
-        }
-        if (verdict.need != Need::Nothing && smallAngleSpannedBy(record, shape).isValid()) return {};
-        return verdict;
-    }
-
-    /// Too large by a factor of 1 to 2, 2 to 4, and so on. Finer steps give 2 % fewer triangles, but sweep over the domain
-    /// once for each step, which costs a third of the time in cache misses.
-    [[nodiscard]] static double sizeClass(double squaredFactor)
-    {
-        return std::ldexp(1.0, 2 * (std::ilogb(squaredFactor) / 2));
-    }
-
-    /// A triangle may hide a small place of the field between its vertices.
-    [[nodiscard]] double squaredFieldBound(Vec2 a, Vec2 b, Vec2 c, const TriangleShape2d& shape, double known) const
-    {
-        if (shape.squaredRadius > known) return known;
-        const Vec2 centroid = (1.0 / 3.0) * (a + b + c);
-        const double radius = std::sqrt(shape.squaredRadius) / domain_.scale();
-        const double near =
-            domain_.scale() * options_.sizing.field->smallestNear(domain_.toSpace(centroid), 0.5 * radius);
-        return near * near;
-    }
-
-    [[nodiscard]] SmallAngleId smallAngleSpannedBy(const Triangle2d& record, const TriangleShape2d& shape) const
-    {
-        const BoundaryVertexId a = t_.boundaryVertexOf(record.v[nextCorner(shape.shortestEdge)]);
-        const BoundaryVertexId b = t_.boundaryVertexOf(record.v[previousCorner(shape.shortestEdge)]);
-        if (!a.isValid() || !b.isValid()) return {};
-        const BoundaryVertex& first = t_.boundary.vertices[a];
-        const BoundaryVertex& last = t_.boundary.vertices[b];
-        const bool isOnOneShell =
-            first.shell.isValid() && first.shell == last.shell && first.shellRadius == last.shellRadius;
-        return isOnOneShell ? first.shell : SmallAngleId();
-    }
-
     void queueTriangle(TriangleId t)
     {
-        const Verdict verdict = judge(t);
-        if (verdict.need == Need::Nothing) return;
-        (verdict.need == Need::Size ? sizeQueue_ : qualityQueue_).push(t, mesh_.triangle(t).generation, verdict.key);
+        const RefinementVerdict2d verdict = criteria_.judge(t);
+        if (verdict.need == RefinementNeed2d::Nothing) return;
+        (verdict.need == RefinementNeed2d::Size ? sizeQueue_ : qualityQueue_).push(t, mesh_.triangle(t).generation, verdict.key);
     }
 
     bool queueAllTriangles()
@@ -143,18 +68,6 @@ private:
         return !sizeQueue_.empty() || !qualityQueue_.empty();
     }
 
-    [[nodiscard]] bool isTooLong(SubcurveId s) const
-    {
-        if (!hasSizing_) return false;
-        const double edge = t_.boundary.edgeLength(s);
-        if (edge > mesh_.lengthScale(t_.firstVertex(s)) + mesh_.lengthScale(t_.lastVertex(s))) return true;
-        if (!hasField_) return false;
-        const Vec2 middle = 0.5 * (t_.boundary.from(s) + t_.boundary.to(s));
-        const double near = domain_.scale() *
-                            options_.sizing.field->smallestNear(domain_.toSpace(middle), 0.25 * edge / domain_.scale());
-        return edge > kLongestOverWanted * near;
-    }
-
     void queueLongSubcurves()
     {
         for (std::uint32_t i = 0; i < t_.boundary.subcurves.size(); ++i) {
@@ -164,7 +77,7 @@ private:
 
     void queueIfTooLong(SubcurveId s)
     {
-        if (isTooLong(s)) queueSubcurve(s);
+        if (criteria_.isTooLong(s)) queueSubcurve(s);
     }
 
     bool queueSubcurve(SubcurveId s)
@@ -190,10 +103,10 @@ private:
             auto entry = (isSize ? sizeQueue_ : qualityQueue_).pop();
             if (!entry) return;
             if (!isCurrent(entry->id, entry->generation)) continue;
-            const Verdict verdict = judge(entry->id);
-            if (verdict.need == Need::Nothing) continue;
+            const RefinementVerdict2d verdict = criteria_.judge(entry->id);
+            if (verdict.need == RefinementNeed2d::Nothing) continue;
             // A generation that has wrapped, or a length scale that has changed since: it queues up again.
-            if ((verdict.need == Need::Size) != isSize || verdict.key != entry->key) {
+            if ((verdict.need == RefinementNeed2d::Size) != isSize || verdict.key != entry->key) {
                 queueTriangle(entry->id);
                 continue;
             }
@@ -219,11 +132,11 @@ private:
         return !isStopped_;
     }
 
-    void processTriangle(TriangleId t, Need need)
+    void processTriangle(TriangleId t, RefinementNeed2d need)
     {
         switch (attempt(t)) {
             case Attempt::Inserted:
-                ++(need == Need::Size ? result_.sizeInsertions : result_.qualityInsertions);
+                ++(need == RefinementNeed2d::Size ? result_.sizeInsertions : result_.qualityInsertions);
                 break;
             case Attempt::Deferred:
                 ++result_.rejectedCircumcenters;
@@ -253,7 +166,7 @@ private:
         }
         t_.delaunay.findCavity(centre, walk.location, cavity_, StarCheck::Trust);
         if (const Attempt outcome = queueEncroached(centre); outcome != Attempt::Inserted) return outcome;
-        insert(centre);
+        insert();
         return Attempt::Inserted;
     }
 
@@ -273,79 +186,26 @@ private:
         return isQueued ? Attempt::Deferred : Attempt::Impossible;
     }
 
-    void insert(Vec2 point)
+    void insert()
     {
-        const double scale = hasSizing_ ? lengthScaleFor(point) : 0.0;
+        const double scale =
+            hasSizing_ ? lengthScaleOfCavity(domain_, options_.sizing, mesh_, cavity_) : 0.0;
         const VertexId v = t_.delaunay.commit(cavity_);
         t_.delaunay.setOrigin(v, VertexOrigin::Face, 0);
         meshedTriangles_ += 2;
-        if (hasSizing_) setLengthScale(v, scale);
+        if (hasSizing_) assignLengthScale(v, scale);
         for (const Cavity2d::BoundaryEdge& edge : cavity_.boundary) {
             queueTriangle(mesh_.across(edge.outer).triangle());
         }
     }
 
-    // ---- length scales -------------------------------------------------------------------------------------------
-
-    /// Equation 2.1 over the neighbours that the vertex will have, and the user's wish.
-    [[nodiscard]] double lengthScaleFor(Vec2 point) const
-    {
-        const double perDistance = 1.0 / options_.sizing.grading;
-        double scale = kInfinity;
-        for (const Cavity2d::BoundaryEdge& edge : cavity_.boundary) {
-            const VertexId w = mesh_.edgeFrom(edge.outer);
-            scale = std::min(scale, mesh_.lengthScale(w) + length(point - mesh_.position(w)) * perDistance);
-        }
-        return hasField_ ? std::min(scale, wantedSize(domain_, options_.sizing, point)) : scale;
-    }
-
-    /// Sets it, and grades the neighbourhood again if it is lower than the neighbours allow.
-    void setLengthScale(VertexId v, double scale)
+    /// With a user's field the scale can be lower than the neighbours allow; they are graded again.
+    void assignLengthScale(VertexId v, double scale)
     {
         t_.delaunay.setLengthScale(v, scale);
-        if (!hasField_) return;
-        graded_.assign(1, v);
-        while (!graded_.empty()) {
-            const VertexId w = graded_.back();
-            graded_.pop_back();
-            bool isLowered = false;
-            mesh_.forEachTriangleAround(w, [&](EdgeLink opposite) {
-                const VertexId neighbour = mesh_.edgeFrom(opposite);
-                if (neighbour == kGhostVertex || !t_.isMeshed(opposite.triangle())) return true;
-                const double allowed = mesh_.lengthScale(w) +
-                                       length(mesh_.position(neighbour) - mesh_.position(w)) / options_.sizing.grading;
-                if (mesh_.lengthScale(neighbour) <= allowed * (1.0 + 1e-9)) return true;
-                t_.delaunay.setLengthScale(neighbour, allowed);
-                graded_.push_back(neighbour);
-                isLowered = true;
-                return true;
-            });
-            if (isLowered || w != v) queueAround(w);
-        }
-    }
-
-    /// Equation 2.1 at a vertex of the mesh.
-    [[nodiscard]] double gradedScaleAt(VertexId v) const
-    {
-        double scale = kInfinity;
-        mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) {
-            if (!t_.isMeshed(opposite.triangle())) return true;
-            for (const VertexId w : {mesh_.edgeFrom(opposite), mesh_.edgeTo(opposite)}) {
-                const double distance = length(mesh_.position(w) - mesh_.position(v));
-                scale = std::min(scale, mesh_.lengthScale(w) + distance / options_.sizing.grading);
-            }
-            return true;
-        });
-        return scale;
-    }
-
-    /// The ceiling at a split: between the length scales of the ends, by arc length. Thesis section 2.4.3.
-    [[nodiscard]] double interpolatedScale(const Subcurve& whole, double t, double firstScale, double lastScale) const
-    {
-        const TangentVariation& table = domain_.variation(whole.curve);
-        const double before = table.arcLength(whole.part.first, t);
-        const double after = table.arcLength(t, whole.part.last);
-        return before + after > 0.0 ? (firstScale * after + lastScale * before) / (before + after) : firstScale;
+        if (options_.sizing.field == nullptr) return;
+        gradeAgainFrom(v, options_.sizing, t_, graded_);
+        for (const VertexId w : graded_) queueAround(w);
     }
 
     // ---- subcurves -----------------------------------------------------------------------------------------------
@@ -357,7 +217,7 @@ private:
         // A copy: splitting makes the array grow.
         const Subcurve whole = t_.boundary.subcurves[s];
         if (!whole.isAlive || !whole.isQueued) return;
-        const bool isForSize = isTooLong(s);
+        const bool isForSize = criteria_.isTooLong(s);
         const SubcurveSplit2d split = splitter_.split(s);
         switch (split.outcome) {
             case SplitOutcome2d::Refused: refuse(s); break;
@@ -397,18 +257,17 @@ private:
         meshedTriangles_ += (curve.left.value != 0 ? 1u : 0u) + (curve.right.value != 0 ? 1u : 0u);
         meshedTriangles_ -= 2 * split.removedVertices;
         if (hasSizing_) {
-            const double first = mesh_.lengthScale(t_.boundary.vertices[whole.first].vertex);
-            const double last = mesh_.lengthScale(t_.boundary.vertices[whole.last].vertex);
-            const double ceiling =
-                interpolatedScale(whole, t_.boundary.vertices[split.halves.vertex].parameter, first, last);
-            // The new vertex still has length scale 0, which its own star does not ask for.
-            double scale = std::min(ceiling, gradedScaleAt(v));
-            if (hasField_) scale = std::min(scale, wantedSize(domain_, options_.sizing, mesh_.position(v)));
-            setLengthScale(v, scale);
+            const double ceiling = interpolatedLengthScale(
+                domain_, whole, t_.boundary.vertices[split.halves.vertex].parameter,
+                mesh_.lengthScale(t_.boundary.vertices[whole.first].vertex),
+                mesh_.lengthScale(t_.boundary.vertices[whole.last].vertex));
+            const double graded = gradedLengthScale(t_, options_.sizing, v);
+            const double wanted = wantedSize(domain_, options_.sizing, mesh_.position(v));
+            assignLengthScale(v, std::min({ceiling, graded, wanted}));
         }
         queueEncroachedBy(v);
         for (const SubcurveId half : {split.halves.first, split.halves.last}) {
-            if (isTooLong(half) || isEncroachedByApex(half)) queueSubcurve(half);
+            if (criteria_.isTooLong(half) || isEncroachedByApex(half)) queueSubcurve(half);
         }
         queueAround(v);
         touched_ = splitter_.touchedVertices();
@@ -469,9 +328,9 @@ private:
                 mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
             LeftTriangle2d left;
             left.triangle = t;
-            left.smallAngle = smallAngleSpannedBy(record, shape);
-            const bool isBad = shape.squaredRatio() > squaredBound_;
-            if (left.smallAngle.isValid() ? !isBad : judge(t).need == Need::Nothing) continue;
+            left.smallAngle = criteria_.smallAngleSpannedBy(record, shape);
+            const bool isBad = criteria_.hasSmallAngle(shape);
+            if (left.smallAngle.isValid() ? !isBad : criteria_.judge(t).need == RefinementNeed2d::Nothing) continue;
             left.reason = left.smallAngle.isValid() ? LeftReason2d::SmallInputAngle
                           : isImpossible(t)         ? LeftReason2d::Resolution
                                                     : LeftReason2d::Unfinished;
@@ -507,9 +366,8 @@ private:
     PlanarTriangulation& t_;
     const Triangulation2d& mesh_;
     SubcurveSplitter2d splitter_;
+    RefinementCriteria2d criteria_;
     bool hasSizing_;
-    bool hasField_;
-    double squaredBound_ = 0.0;
 
     std::deque<SubcurveId> subcurves_;
     BucketQueue<TriangleId> sizeQueue_;

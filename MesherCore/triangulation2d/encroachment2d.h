@@ -11,7 +11,7 @@ namespace mesher {
 }
 
 /// Inside the diametral lens: the edge is seen under more than 120 degrees.
-/// Reference    thesis Fig. 2.3; [shewchuk1997thesis]
+/// Reference    thesis Fig. 2.3; [shewchuk2002]
 [[nodiscard]] inline bool isInDiametralLens(Vec2 a, Vec2 b, Vec2 p)
 {
     const Vec2 u = a - p;

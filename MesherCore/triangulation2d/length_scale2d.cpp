@@ -80,4 +80,64 @@ void setLengthScales(const PlanarDomain& domain, const PlanarSizing& sizing, Pla
     }
 }
 
+double lengthScaleOfCavity(const PlanarDomain& domain, const PlanarSizing& sizing, const Triangulation2d& mesh,
+                           const Cavity2d& cavity)
+{
+    const double perDistance = 1.0 / sizing.grading;
+    double scale = std::numeric_limits<double>::infinity();
+    for (const Cavity2d::BoundaryEdge& edge : cavity.boundary) {
+        const VertexId w = mesh.edgeFrom(edge.outer);
+        scale = std::min(scale, mesh.lengthScale(w) + length(cavity.point - mesh.position(w)) * perDistance);
+    }
+    return std::min(scale, wantedSize(domain, sizing, cavity.point));
+}
+
+double gradedLengthScale(const PlanarTriangulation& triangulation, const PlanarSizing& sizing, VertexId v)
+{
+    const Triangulation2d& mesh = triangulation.mesh();
+    double scale = std::numeric_limits<double>::infinity();
+    mesh.forEachTriangleAround(v, [&](EdgeLink opposite) {
+        if (!triangulation.isMeshed(opposite.triangle())) return true;
+        for (const VertexId w : {mesh.edgeFrom(opposite), mesh.edgeTo(opposite)}) {
+            const double distance = length(mesh.position(w) - mesh.position(v));
+            scale = std::min(scale, mesh.lengthScale(w) + distance / sizing.grading);
+        }
+        return true;
+    });
+    return scale;
+}
+
+double interpolatedLengthScale(const PlanarDomain& domain, const Subcurve& whole, double t, double firstScale,
+                               double lastScale)
+{
+    const TangentVariation& table = domain.variation(whole.curve);
+    const double before = table.arcLength(whole.part.first, t);
+    const double after = table.arcLength(t, whole.part.last);
+    return before + after > 0.0 ? (firstScale * after + lastScale * before) / (before + after) : firstScale;
+}
+
+void gradeAgainFrom(VertexId v, const PlanarSizing& sizing, PlanarTriangulation& triangulation,
+                    std::vector<VertexId>& lowered)
+{
+    // Differences of rounding size are not worth a wave through the mesh.
+    constexpr double kSlack = 1.0 + 1e-9;
+    const Triangulation2d& mesh = triangulation.mesh();
+    lowered.clear();
+    const auto relaxAround = [&](VertexId w) {
+        mesh.forEachTriangleAround(w, [&](EdgeLink opposite) {
+            if (!triangulation.isMeshed(opposite.triangle())) return true;
+            for (const VertexId neighbour : {mesh.edgeFrom(opposite), mesh.edgeTo(opposite)}) {
+                const double distance = length(mesh.position(neighbour) - mesh.position(w));
+                const double allowed = mesh.lengthScale(w) + distance / sizing.grading;
+                if (mesh.lengthScale(neighbour) <= allowed * kSlack) continue;
+                triangulation.delaunay.setLengthScale(neighbour, allowed);
+                lowered.push_back(neighbour);
+            }
+            return true;
+        });
+    };
+    relaxAround(v);
+    for (std::size_t i = 0; i < lowered.size(); ++i) relaxAround(lowered[i]);
+}
+
 }  // namespace mesher

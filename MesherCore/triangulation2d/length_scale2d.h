@@ -3,6 +3,8 @@
 #include "sizing/sizing_field.h"
 #include "triangulation2d/planar_triangulation.h"
 
+#include <vector>
+
 namespace mesher {
 
 /// How large triangles are to be.
@@ -31,5 +33,19 @@ struct PlanarSizing
 /// Cost         one Dijkstra search
 /// Reference    thesis Equations 2.1 and 2.2
 void setLengthScales(const PlanarDomain& domain, const PlanarSizing& sizing, PlanarTriangulation& triangulation);
+
+/// Length scale of a vertex about to be inserted inside of a region: Equation 2.1 over the neighbours it will have, or the
+/// user's wish if that is smaller.
+[[nodiscard]] double lengthScaleOfCavity(const PlanarDomain& domain, const PlanarSizing& sizing,
+                                         const Triangulation2d& mesh, const Cavity2d& cavity);
+/// Equation 2.1 at a vertex of the mesh, over its neighbours in regions.
+[[nodiscard]] double gradedLengthScale(const PlanarTriangulation& triangulation, const PlanarSizing& sizing, VertexId v);
+/// The ceiling at a split: between the length scales of the subcurve's ends, by arc length. Thesis section 2.4.3.
+[[nodiscard]] double interpolatedLengthScale(const PlanarDomain& domain, const Subcurve& whole, double t,
+                                             double firstScale, double lastScale);
+/// Lowers the length scales around a vertex, as far as its own is too low for them, by Equation 2.1.
+/// `lowered` receives the vertices whose length scale has changed.
+void gradeAgainFrom(VertexId v, const PlanarSizing& sizing, PlanarTriangulation& triangulation,
+                    std::vector<VertexId>& lowered);
 
 }  // namespace mesher
