@@ -17,6 +17,7 @@ from pathlib import Path
 # Headers from outside the project, by folder of MesherCore; elsewhere the standard library only.
 FOREIGN_HEADERS = {
     "base": re.compile(r"sys/mman\.h"),
+    "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
     "brep/occt": re.compile(r".+\.hxx"),
 }
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")

@@ -98,8 +98,12 @@ public:
     /// Where the point lies. Requires a point in the exact range.
     [[nodiscard]] Location2d locate(Vec2 point, TriangleId hint = {}) const;
 
+    /// A filter for predicates on the vertices and the point.
+    [[nodiscard]] StaticFilter2d filterFor(Vec2 point) const;
+
     /// What inserting the point would do; `location` is that of `locate` and neither on a vertex nor NoTriangles.
-    void findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity) const;
+    void findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity,
+                    StarCheck check = StarCheck::Repair) const;
     /// Does it. Requires that nothing was changed since `findCavity`. To abandon a cavity just drop it.
     VertexId commit(const Cavity2d& cavity);
 
@@ -156,7 +160,6 @@ private:
     void lowerDimension(VertexId vertex);
     void connect(VertexId vertex, TriangleId hint);
     void includeInBox(Vec2 point);
-    [[nodiscard]] StaticFilter2d filterFor(Vec2 point) const;
     [[nodiscard]] TriangleId startFor(TriangleId hint) const
     {
         return mesh_.isAlive(hint) ? hint : lastTriangle_;
