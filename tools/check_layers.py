@@ -18,6 +18,9 @@ from pathlib import Path
 FOREIGN_HEADERS = {
     "base": re.compile(r"sys/mman\.h"),
     "brep/occt": re.compile(r".+\.hxx"),
+    "cli": re.compile(r"boost/program_options\.hpp|unistd\.h"),
+    "io": re.compile(r"fcntl\.h|sys/stat\.h|unistd\.h|zlib\.h"),
+    "pipeline": re.compile(r"nlohmann/json\.hpp"),
 }
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
 INTRINSICS_HEADER = re.compile(r"[a-z]*intrin\.h")
