@@ -9,6 +9,7 @@
 
 namespace mesher {
 
+/// A line is parametrised by a multiple of its length, a circle by its angle in radians, an ellipse by the eccentric anomaly.
 enum class CurveKind
 {
     Line,
@@ -53,6 +54,8 @@ public:
     [[nodiscard]] virtual CurvePoint evaluate(double t) const = 0;
     /// Ascending parameters inside the range at which the curve is not twice continuously differentiable.
     [[nodiscard]] virtual std::span<const double> breaks() const = 0;
+    /// Ascending parameters inside the range between which the curve is analytic; the breaks are among them.
+    [[nodiscard]] virtual std::span<const double> knots() const { return breaks(); }
     /// Closest point within the part of the curve; global without a seed, the local minimum reached from it with one.
     [[nodiscard]] virtual CurveProjection project(const Vec3& point, Interval part,
                                                   std::optional<double> seed = {}) const = 0;

@@ -4,6 +4,7 @@
 #include "brep/interval.h"
 #include "brep/plane_frame.h"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -53,6 +54,9 @@ struct SurfaceCurvature
     double smallest = 0.0;
 };
 
+/// Range of a parameter that has no end; the bounds of a face on such a surface are finite.
+inline constexpr Interval kUnbounded{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
 /// The geometry of an untrimmed surface of a B-rep model.
 ///
 /// Guarantees   projection in closed form on plane, cylinder, cone, sphere and torus; seeded Newton elsewhere, which
@@ -71,11 +75,12 @@ public:
     [[nodiscard]] virtual double periodV() const = 0;
     [[nodiscard]] virtual Vec3 position(Vec2 uv) const = 0;
     [[nodiscard]] virtual SurfacePoint evaluate(Vec2 uv) const = 0;
-    /// Without a seed the closest point over the whole surface, at whatever cost.
+    /// Without a seed the closest point over the whole surface, at whatever cost. In a periodic direction the parameter is
+    /// the image nearest to the seed, without one that in the range.
     [[nodiscard]] virtual SurfaceProjection project(const Vec3& point, std::optional<Vec2> seed = {}) const = 0;
     /// The frame of a plane, in which (x, y) = (u, v).
     [[nodiscard]] virtual std::optional<PlaneFrame> planeFrame() const { return {}; }
-    /// Ascending parameters inside the range at which the surface is not twice continuously differentiable.
+    /// Ascending parameters inside the range between which the surface is analytic.
     [[nodiscard]] virtual std::span<const double> breaksU() const { return {}; }
     [[nodiscard]] virtual std::span<const double> breaksV() const { return {}; }
     [[nodiscard]] virtual std::unique_ptr<Surface> clone() const = 0;

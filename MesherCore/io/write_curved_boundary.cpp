@@ -1,4 +1,4 @@
-#include "io/curved_boundary.h"
+#include "io/write_curved_boundary.h"
 
 #include "io/file_buffer.h"
 

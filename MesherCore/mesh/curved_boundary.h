@@ -1,11 +1,9 @@
 #pragma once
 
-#include "base/result.h"
 #include "base/vec.h"
 #include "mesh/classified_mesh.h"
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -42,8 +40,5 @@ struct CurvedBoundary
     std::string unit = "mm";
     std::vector<CurvedBoundaryEdge> edges;
 };
-
-/// Writes the file that docs/formats/curved_boundary.md describes; numbers read back as the same doubles.
-[[nodiscard]] Result<void> writeCurvedBoundary(const CurvedBoundary& boundary, const std::filesystem::path& path);
 
 }  // namespace mesher

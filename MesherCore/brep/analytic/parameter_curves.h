@@ -1,0 +1,65 @@
+#pragma once
+
+#include "brep/brep_model.h"
+
+#include <cmath>
+
+namespace mesher {
+
+/// start + t direction.
+class LineParameterCurve final : public ParameterCurve
+{
+public:
+    LineParameterCurve(Vec2 start, Vec2 direction) : start_(start), direction_(direction) {}
+
+    [[nodiscard]] Vec2 position(double t) const override { return start_ + t * direction_; }
+    [[nodiscard]] std::unique_ptr<ParameterCurve> clone() const override
+    {
+        return std::make_unique<LineParameterCurve>(*this);
+    }
+
+private:
+    Vec2 start_;
+    Vec2 direction_;
+};
+
+/// radius (cos t, ±sin t) around the origin.
+class CircleParameterCurve final : public ParameterCurve
+{
+public:
+    CircleParameterCurve(double radius, bool isClockwise) : radius_(radius), sign_(isClockwise ? -1.0 : 1.0) {}
+
+    [[nodiscard]] Vec2 position(double t) const override
+    {
+        return {radius_ * std::cos(t), sign_ * radius_ * std::sin(t)};
+    }
+    [[nodiscard]] std::unique_ptr<ParameterCurve> clone() const override
+    {
+        return std::make_unique<CircleParameterCurve>(*this);
+    }
+
+private:
+    double radius_;
+    double sign_;
+};
+
+/// A curve of a plane, seen in the plane's frame.
+class PlanarParameterCurve final : public ParameterCurve
+{
+public:
+    PlanarParameterCurve(std::unique_ptr<Curve> curve, const PlaneFrame& frame) : curve_(std::move(curve)), frame_(frame)
+    {
+    }
+
+    [[nodiscard]] Vec2 position(double t) const override { return frame_.toPlane(curve_->position(t)); }
+    [[nodiscard]] std::unique_ptr<ParameterCurve> clone() const override
+    {
+        return std::make_unique<PlanarParameterCurve>(curve_->clone(), frame_);
+    }
+
+private:
+    std::unique_ptr<Curve> curve_;
+    PlaneFrame frame_;
+};
+
+}  // namespace mesher

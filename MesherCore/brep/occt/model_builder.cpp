@@ -1,0 +1,293 @@
+#include "brep/occt/model_builder.h"
+
+#include "brep/analytic/parameter_curves.h"
+#include "brep/occt/occt_convert.h"
+#include "brep/occt/occt_curve.h"
+#include "brep/occt/occt_error.h"
+#include "brep/occt/occt_surface.h"
+#include "brep/occt/occt_trim.h"
+#include "brep/occt/wire_order.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace mesher {
+
+namespace {
+
+constexpr const char* kRepairRemedy = "repair the shape in the CAD program or read it with healing";
+
+Error broken(std::string entity, std::string message)
+{
+    return Error{ErrorCode::DegenerateInput, std::move(message), std::move(entity), {}, kRepairRemedy};
+}
+
+std::string shortNumber(double value)
+{
+    std::ostringstream text;
+    text.precision(3);
+    text << value;
+    return text.str();
+}
+
+template <class IdType>
+IdType idIn(const TopTools_IndexedMapOfShape& map, const TopoDS_Shape& shape)
+{
+    const int index = map.FindIndex(shape);
+    return index > 0 ? IdType(static_cast<std::uint32_t>(index - 1)) : IdType{};
+}
+
+class ModelBuilder
+{
+public:
+    explicit ModelBuilder(const TopoDS_Shape& shape) : shape_(shape)
+    {
+        TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
+        TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
+        TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+        TopExp::MapShapes(shape, TopAbs_SOLID, solids_);
+    }
+
+    Result<BrepModel> build()
+    {
+        if (faces_.IsEmpty()) {
+            return Error{ErrorCode::DegenerateInput, "the model has no face", "", {}, "export solids, shells or faces"};
+        }
+        addVertices();
+        for (int i = 1; i <= edges_.Extent(); ++i) {
+            const std::string name = nameOf(BrepEdgeId(static_cast<std::uint32_t>(i - 1)));
+            auto added = guarded(name, kRepairRemedy, [&] { return addEdge(TopoDS::Edge(edges_(i)), name); });
+            if (!added) return added.error();
+        }
+        for (int i = 1; i <= faces_.Extent(); ++i) {
+            const std::string name = nameOf(BrepFaceId(static_cast<std::uint32_t>(i - 1)));
+            auto added = guarded(name, kRepairRemedy, [&] { return addFace(TopoDS::Face(faces_(i)), name); });
+            if (!added) return added.error();
+        }
+        addSolids();
+        addBox();
+        return std::move(model_);
+    }
+
+private:
+    void note(const std::string& entity, const std::string& text) { model_.notes.push_back(entity + " " + text); }
+
+    void addVertices()
+    {
+        for (int i = 1; i <= vertices_.Extent(); ++i) {
+            const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices_(i));
+            model_.vertices.push_back({toVec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex)});
+        }
+    }
+
+    Result<void> addEdge(const TopoDS_Edge& found, const std::string& name)
+    {
+        const TopoDS_Edge edge = TopoDS::Edge(found.Oriented(TopAbs_FORWARD));
+        BrepEdge result;
+        result.first = idIn<BrepVertexId>(vertices_, TopExp::FirstVertex(edge));
+        result.last = idIn<BrepVertexId>(vertices_, TopExp::LastVertex(edge));
+        if (!result.first.isValid() || !result.last.isValid()) return broken(name, "the edge has no vertex at an end");
+        result.tolerance = BRep_Tool::Tolerance(edge);
+        result.isDegenerate = BRep_Tool::Degenerated(edge);
+        double first = 0.0, last = 0.0;
+        Handle(Geom_Curve) geometry = BRep_Tool::Curve(edge, first, last);
+        if (!result.isDegenerate && geometry.IsNull()) {
+            return broken(name, "the edge has no curve in space");
+        }
+        if (result.isDegenerate) {
+            BRep_Tool::Range(edge, first, last);
+        }
+        result.part = {first, last};
+        if (!(first < last) || Precision::IsInfinite(first) || Precision::IsInfinite(last)) {
+            return broken(name, "the edge's range is empty or has no end");
+        }
+        if (!result.isDegenerate) {
+            result.curve = makeCurve(geometry, result.part);
+            noteEnds(result, name);
+        }
+        if (!BRep_Tool::SameParameter(edge) && !result.isDegenerate) note(name, "is not parametrised alike on its faces");
+        model_.edges.push_back(std::move(result));
+        return {};
+    }
+
+    void noteEnds(const BrepEdge& edge, const std::string& name)
+    {
+        const std::pair<double, BrepVertexId> ends[] = {{edge.part.first, edge.first}, {edge.part.last, edge.last}};
+        for (const auto& [t, id] : ends) {
+            const BrepVertex& vertex = model_.vertices[id];
+            const double gap = length(edge.curve->position(t) - vertex.position);
+            if (gap > std::max(vertex.tolerance, edge.tolerance)) {
+                note(name, "ends " + shortNumber(gap) + " away from " + nameOf(id));
+            }
+        }
+    }
+
+    Result<void> addFace(const TopoDS_Face& found, const std::string& name)
+    {
+        const TopoDS_Face face = TopoDS::Face(found.Oriented(TopAbs_FORWARD));
+        const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);
+        if (geometry.IsNull()) return broken(name, "the face has no surface");
+        BrepFace result;
+        double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+        BRepTools::UVBounds(face, u0, u1, v0, v1);
+        result.boundsU = {u0, u1};
+        result.boundsV = {v0, v1};
+        const bool isEndless = Precision::IsInfinite(u0) || Precision::IsInfinite(u1) || Precision::IsInfinite(v0) ||
+                               Precision::IsInfinite(v1);
+        if (isEndless || !(u0 < u1) || !(v0 < v1)) return broken(name, "the face has no area or no end");
+        result.surface = makeSurface(geometry, result.boundsU, result.boundsV);
+        result.isReversed = found.Orientation() == TopAbs_REVERSED;
+        result.tolerance = BRep_Tool::Tolerance(face);
+        auto loops = addLoops(face, result, name);
+        if (!loops) return loops.error();
+        result.trim = makeTrim(face);
+        model_.faces.push_back(std::move(result));
+        return {};
+    }
+
+    Result<void> addLoops(const TopoDS_Face& face, BrepFace& result, const std::string& name)
+    {
+        for (TopoDS_Iterator part(face); part.More(); part.Next()) {
+            if (part.Value().ShapeType() == TopAbs_VERTEX) {
+                result.embeddedVertices.push_back(idIn<BrepVertexId>(vertices_, part.Value()));
+            }
+            if (part.Value().ShapeType() != TopAbs_WIRE) continue;
+            auto coedges = coedgesOf(part.Value(), face, result, name);
+            if (!coedges) return coedges.error();
+            if (coedges->empty()) continue;
+            OrderedWire wire = orderWire(model_, *std::move(coedges));
+            for (const BrepVertexId open : wire.openVertices) note(name, "has a wire that is open at " + nameOf(open));
+            for (BrepLoop& loop : wire.loops) result.loops.push_back(std::move(loop));
+        }
+        if (result.loops.empty()) return broken(name, "the face has no wire");
+        return {};
+    }
+
+    Result<std::vector<BrepCoedge>> coedgesOf(const TopoDS_Shape& wire, const TopoDS_Face& face, BrepFace& result,
+                                              const std::string& name)
+    {
+        std::vector<BrepCoedge> coedges;
+        for (TopoDS_Iterator part(wire); part.More(); part.Next()) {
+            if (part.Value().ShapeType() != TopAbs_EDGE) continue;
+            const TopoDS_Edge& edge = TopoDS::Edge(part.Value());
+            const BrepEdgeId id = idIn<BrepEdgeId>(edges_, edge);
+            if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) {
+                result.embeddedEdges.push_back(id);
+                continue;
+            }
+            BrepCoedge coedge{id, edge.Orientation() == TopAbs_REVERSED, parameterCurve(edge, face, id, result)};
+            if (!coedge.parameterCurve) return broken(name, nameOf(id) + " has no parameter curve on it");
+            noteLift(coedge, result, name);
+            coedges.push_back(std::move(coedge));
+        }
+        return coedges;
+    }
+
+    std::shared_ptr<const ParameterCurve> parameterCurve(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                                                         BrepEdgeId id, const BrepFace& result) const
+    {
+        double first = 0.0, last = 0.0;
+        bool isStored = false;
+        const Handle(Geom2d_Curve) geometry = BRep_Tool::CurveOnSurface(edge, face, first, last, &isStored);
+        const BrepEdge& own = model_.edges[id];
+        const std::optional<PlaneFrame> frame = result.surface->planeFrame();
+        if (frame && own.curve && (geometry.IsNull() || !isStored)) {
+            return std::make_shared<PlanarParameterCurve>(own.curve->clone(), *frame);
+        }
+        if (geometry.IsNull()) return nullptr;
+        return makeParameterCurve(geometry, {first, last}, own.part);
+    }
+
+    void noteLift(const BrepCoedge& coedge, const BrepFace& face, const std::string& name)
+    {
+        constexpr int kSamples = 16;
+        const BrepEdge& edge = model_.edges[coedge.edge];
+        double gap = 0.0;
+        for (int i = 0; i <= kSamples; ++i) {
+            const double t = edge.part.at(static_cast<double>(i) / kSamples);
+            const Vec3 lifted = face.surface->position(coedge.parameterCurve->position(t));
+            const Vec3 exact = edge.isDegenerate ? model_.vertices[edge.first].position : edge.curve->position(t);
+            gap = std::max(gap, length(lifted - exact));
+        }
+        double allowed = std::max(edge.tolerance, face.tolerance);
+        if (edge.isDegenerate) allowed = std::max(allowed, model_.vertices[edge.first].tolerance);
+        if (gap > allowed) note(nameOf(coedge.edge), "lies up to " + shortNumber(gap) + " off " + name);
+    }
+
+    BrepShell makeShell(const TopoDS_Shape& shell) const
+    {
+        BrepShell result;
+        for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
+            const bool isReversed = face.Current().Orientation() == TopAbs_REVERSED;
+            result.faces.push_back({idIn<BrepFaceId>(faces_, face.Current()), isReversed});
+        }
+        result.isClosed = BRep_Tool::IsClosed(shell);
+        return result;
+    }
+
+    void addSolids()
+    {
+        for (int i = 1; i <= solids_.Extent(); ++i) {
+            BrepSolid solid;
+            for (TopExp_Explorer shell(solids_(i), TopAbs_SHELL); shell.More(); shell.Next()) {
+                solid.shells.push_back(makeShell(shell.Current()));
+            }
+            model_.solids.push_back(std::move(solid));
+        }
+        TopTools_IndexedMapOfShape seen;
+        for (TopExp_Explorer shell(shape_, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next()) {
+            if (!seen.Contains(shell.Current())) model_.looseShells.push_back(makeShell(shell.Current()));
+            seen.Add(shell.Current());
+        }
+        for (TopExp_Explorer face(shape_, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next()) {
+            if (!seen.Contains(face.Current())) model_.looseShells.push_back(makeShell(face.Current()));
+            seen.Add(face.Current());
+        }
+    }
+
+    void addBox()
+    {
+        Bnd_Box box;
+        BRepBndLib::Add(shape_, box, false);
+        if (box.IsVoid()) return;
+        box.SetGap(0.0);
+        model_.box.include(toVec(box.CornerMin()));
+        model_.box.include(toVec(box.CornerMax()));
+    }
+
+    TopoDS_Shape shape_;
+    TopTools_IndexedMapOfShape vertices_;
+    TopTools_IndexedMapOfShape edges_;
+    TopTools_IndexedMapOfShape faces_;
+    TopTools_IndexedMapOfShape solids_;
+    BrepModel model_;
+};
+
+}  // namespace
+
+Result<BrepModel> buildModel(const TopoDS_Shape& shape)
+{
+    if (shape.IsNull()) {
+        return Error{ErrorCode::DegenerateInput, "the shape is null", "", {}, "export the model again"};
+    }
+    return guarded("the model", kRepairRemedy, [&] { return ModelBuilder(shape).build(); });
+}
+
+}  // namespace mesher
