@@ -9,7 +9,8 @@ namespace mesher {
 namespace {
 
 /// A hull edge is in conflict if the point lies strictly outside of it or between its ends.
-bool isGhostInConflict(const Triangulation2d& mesh, const StaticFilter2d& filter, const Triangle2d& ghost, Vec2 point)
+bool isGhostInConflict(const Triangulation2d& mesh, const StaticFilter2d& filter, const Triangle2d& ghost,
+                       Vec2 point)
 {
     const Vec2 a = mesh.position(ghost.v[0]);
     const Vec2 b = mesh.position(ghost.v[1]);
@@ -18,7 +19,8 @@ bool isGhostInConflict(const Triangulation2d& mesh, const StaticFilter2d& filter
     return isLexicographicallyLess(a, point) != isLexicographicallyLess(b, point);
 }
 
-bool isInConflict(const Triangulation2d& mesh, const StaticFilter2d& filter, const Triangle2d& record, Vec2 point)
+bool isInConflict(const Triangulation2d& mesh, const StaticFilter2d& filter, const Triangle2d& record,
+                  Vec2 point)
 {
     if (record.isGhost()) return isGhostInConflict(mesh, filter, record, point);
     return incirclePerturbed(filter, mesh.position(record.v[0]), mesh.position(record.v[1]),
@@ -47,8 +49,7 @@ void collect(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d
         // The edge the point lies on goes, be it constrained or not: both its sides are entered.
         firstEdge = cavity.location.index;
         enter(mesh, cavity, record.n[firstEdge].triangle(), record.n[firstEdge].edge());
-    }
-    else {
+    } else {
         cavity.pending.emplace_back(record.n[firstEdge], record.region);
     }
     enter(mesh, cavity, start, firstEdge);
@@ -57,9 +58,9 @@ void collect(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d
         cavity.pending.pop_back();
         const Triangle2d& next = mesh.triangle(side.triangle());
         const bool isConstrained = next.isConstrained(side.edge());
-        const bool isExcluded =
-            !cavity.excluded.empty() &&
-            std::find(cavity.excluded.begin(), cavity.excluded.end(), side.triangle()) != cavity.excluded.end();
+        const bool isExcluded = !cavity.excluded.empty() &&
+                                std::find(cavity.excluded.begin(), cavity.excluded.end(), side.triangle()) !=
+                                    cavity.excluded.end();
         if (!isConstrained && !isExcluded && isInConflict(mesh, filter, next, cavity.point)) {
             enter(mesh, cavity, side.triangle(), side.edge());
             MESHER_INVARIANT(cavity.triangles.size() <= mesh.triangleCount());
@@ -78,7 +79,8 @@ bool excludeInvisible(const Triangulation2d& mesh, const StaticFilter2d& filter,
         const VertexId from = mesh.edgeTo(edge.outer);
         const VertexId to = mesh.edgeFrom(edge.outer);
         if (from == kGhostVertex || to == kGhostVertex) continue;
-        if (orient2d(filter, mesh.position(from), mesh.position(to), cavity.point) == Sign::Positive) continue;
+        if (orient2d(filter, mesh.position(from), mesh.position(to), cavity.point) == Sign::Positive)
+            continue;
         cavity.excluded.push_back(mesh.across(edge.outer).triangle());
     }
     return cavity.excluded.size() != before;
@@ -105,10 +107,11 @@ void constrainHalves(Triangulation2d& mesh, VertexId vertex, VertexId from, Vert
 
 }  // namespace
 
-void findCavity(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec2 point, const Location2d& location,
-                StarCheck check, Cavity2d& cavity)
+void findCavity(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec2 point,
+                const Location2d& location, StarCheck check, Cavity2d& cavity)
 {
-    MESHER_PRECONDITION(location.kind == Location2d::Kind::InTriangle || location.kind == Location2d::Kind::OnEdge ||
+    MESHER_PRECONDITION(location.kind == Location2d::Kind::InTriangle ||
+                        location.kind == Location2d::Kind::OnEdge ||
                         location.kind == Location2d::Kind::OutsideHull);
     cavity.point = point;
     cavity.location = location;
@@ -156,8 +159,7 @@ TriangleId commitCavity(Triangulation2d& mesh, const Cavity2d& cavity, VertexId 
         record.region = cavity.boundary[i].region;
         if (from != kGhostVertex) {
             mesh.setTriangleAt(from, current);
-        }
-        else {
+        } else {
             turned = current;
         }
         previous = current;

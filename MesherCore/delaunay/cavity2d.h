@@ -55,8 +55,8 @@ enum class StarCheck
 ///              is the walk of a tree and needs no marks
 /// Cost         linear in the size of the cavity, 6 edges expected
 /// Reference    [bowyer1981] [watson1981]; thesis sections 1.2.2 and 1.2.4
-void findCavity(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec2 point, const Location2d& location,
-                StarCheck check, Cavity2d& cavity);
+void findCavity(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec2 point,
+                const Location2d& location, StarCheck check, Cavity2d& cavity);
 
 /// Inserts the vertex, which must have the cavity's point for its position: the cavity becomes a fan around it. Cannot
 /// fail. The mesh must be in the state in which the cavity was found.

@@ -12,10 +12,7 @@ namespace mesher {
 namespace {
 
 /// Adding zero makes the two zeros one.
-Vec2 withoutNegativeZeros(Vec2 p)
-{
-    return {p.x + 0.0, p.y + 0.0};
-}
+Vec2 withoutNegativeZeros(Vec2 p) { return {p.x + 0.0, p.y + 0.0}; }
 
 Error faultOf(Vec2 point, std::string name)
 {
@@ -26,8 +23,7 @@ Error faultOf(Vec2 point, std::string name)
         error.message = "a coordinate is outside of the range in which predicates are exact";
         error.point = Vec3{point.x, point.y, 0.0};
         error.remedy = "scale the model by a power of two";
-    }
-    else {
+    } else {
         error.code = ErrorCode::NonFinitePoint;
         error.message = "a coordinate is infinite or not a number";
         error.remedy = "repair or leave out the point";
@@ -94,9 +90,10 @@ Location2d Delaunay2d::locate(Vec2 point, TriangleId hint) const
     return mesher::locate(mesh_, filterFor(point), point, startFor(hint));
 }
 
-void Delaunay2d::findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity) const
+void Delaunay2d::findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity,
+                            StarCheck check) const
 {
-    mesher::findCavity(mesh_, filterFor(point), withoutNegativeZeros(point), location, StarCheck::Repair, cavity);
+    mesher::findCavity(mesh_, filterFor(point), withoutNegativeZeros(point), location, check, cavity);
     cavity.revision = revision_;
 }
 
@@ -109,12 +106,16 @@ VertexId Delaunay2d::commit(const Cavity2d& cavity)
     ++counters_.insertions;
     const VertexId vertex = mesh_.addVertex(cavity.point);
     lastTriangle_ = commitCavity(mesh_, cavity, vertex);
+    record(ReplayOperation::insert(vertex.value, cavity.point));
     return vertex;
 }
 
 RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
 {
     MESHER_PRECONDITION(mesh_.isAlive(vertex));
+    const bool joinsChains = policy == RemovalPolicy::StraightChainsToo;
+    record(
+        ReplayOperation::on(joinsChains ? ReplayKind::RemoveFromChain : ReplayKind::Remove, {vertex.value}));
     if (mesh_.triangleCount() == 0) {
         lineVertices_.erase(mesh_.position(vertex));
         mesh_.removeVertex(vertex);
@@ -123,7 +124,7 @@ RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
     }
     ChainEnds chain;
     if (hasConstrainedEdge(vertex)) {
-        if (policy == RemovalPolicy::StraightChainsToo) chain = straightChainThrough(vertex);
+        if (joinsChains) chain = straightChainThrough(vertex);
         if (!chain.from.isValid()) return RemovalOutcome::KeptConstrained;
     }
     if (isLastOffLine(mesh_, filter_, vertex, removalWorkspace_)) {
@@ -131,8 +132,7 @@ RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
             if (mesh_.isConstrained(corner.outer)) return RemovalOutcome::KeptLastTriangles;
         }
         lowerDimension(vertex);
-    }
-    else {
+    } else {
         counters_.flips +=
             removeVertex(mesh_, filter_, vertex, chain.from.isValid() ? &chain : nullptr, removalWorkspace_);
         const VertexId neighbour = removalWorkspace_.ring.front().vertex;
@@ -149,14 +149,13 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
     if (a == b || !mesh_.isAlive(a) || !mesh_.isAlive(b)) {
         error.code = ErrorCode::InvalidArgument;
         error.message = "a segment needs two different vertices of the triangulation";
-    }
-    else if (mesh_.triangleCount() == 0) {
+    } else if (mesh_.triangleCount() == 0) {
         error.code = ErrorCode::DegenerateInput;
         error.message = "all vertices lie on one line, so there are no edges to constrain";
         error.remedy = "insert a point off the line first";
-    }
-    else {
+    } else {
         ++revision_;
+        record(ReplayOperation::on(ReplayKind::Constrain, {a.value, b.value}));
         auto result = mesher::recoverSegment(mesh_, filter_, a, b, segmentWorkspace_);
         if (!result) return result;
         ++counters_.segments;
@@ -170,12 +169,16 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
 void Delaunay2d::constrainEdge(EdgeLink edge)
 {
     MESHER_PRECONDITION(mesh_.edgeFrom(edge) != kGhostVertex && mesh_.edgeTo(edge) != kGhostVertex);
+    record(
+        ReplayOperation::on(ReplayKind::Constrain, {mesh_.edgeFrom(edge).value, mesh_.edgeTo(edge).value}));
     mesh_.setConstrained(edge, true);
     ++revision_;
 }
 
 void Delaunay2d::unconstrainEdge(EdgeLink edge)
 {
+    record(
+        ReplayOperation::on(ReplayKind::Unconstrain, {mesh_.edgeFrom(edge).value, mesh_.edgeTo(edge).value}));
     mesh_.setConstrained(edge, false);
     suspects_.assign(1, edge);
     counters_.flips += restoreDelaunay(mesh_, filter_, suspects_);
@@ -206,6 +209,7 @@ Insertion2d Delaunay2d::insertChecked(Vec2 point, TriangleId hint, StarCheck che
     counters_.starRepairs += cavity_.repairs;
     ++counters_.insertions;
     ++revision_;
+    record(ReplayOperation::insert(vertex.value, point));
     return {vertex, splits ? InsertOutcome::SplitConstraint : InsertOutcome::Inserted};
 }
 
@@ -219,12 +223,13 @@ Insertion2d Delaunay2d::insertOnLine(Vec2 point)
     const VertexId vertex = mesh_.addVertex(point);
     ++counters_.insertions;
     ++revision_;
-    const bool isOnLine = lineVertices_.size() < 2 ||
-                          orient2d(lineVertices_.begin()->first, lineVertices_.rbegin()->first, point) == Sign::Zero;
+    record(ReplayOperation::insert(vertex.value, point));
+    const bool isOnLine =
+        lineVertices_.size() < 2 ||
+        orient2d(lineVertices_.begin()->first, lineVertices_.rbegin()->first, point) == Sign::Zero;
     if (isOnLine) {
         lineVertices_.emplace(point, vertex);
-    }
-    else {
+    } else {
         raiseDimension(vertex);
     }
     return {vertex, InsertOutcome::Inserted};
@@ -246,7 +251,8 @@ void Delaunay2d::raiseDimension(VertexId apex)
 void Delaunay2d::makeFirstTriangle(VertexId a, VertexId b, VertexId c)
 {
     const TriangleId t = mesh_.allocateTriangle();
-    const TriangleId ghosts[3] = {mesh_.allocateTriangle(), mesh_.allocateTriangle(), mesh_.allocateTriangle()};
+    const TriangleId ghosts[3] = {mesh_.allocateTriangle(), mesh_.allocateTriangle(),
+                                  mesh_.allocateTriangle()};
     const VertexId corners[3] = {a, b, c};
     for (unsigned i = 0; i < 3; ++i) {
         mesh_.triangle(t).v[i] = corners[i];
@@ -265,7 +271,8 @@ void Delaunay2d::lowerDimension(VertexId vertex)
 {
     lineVertices_.clear();
     for (const auto& corner : removalWorkspace_.ring) {
-        if (corner.vertex != kGhostVertex) lineVertices_.emplace(mesh_.position(corner.vertex), corner.vertex);
+        if (corner.vertex != kGhostVertex)
+            lineVertices_.emplace(mesh_.position(corner.vertex), corner.vertex);
     }
     mesh_.freeAllTriangles();
     mesh_.removeVertex(vertex);

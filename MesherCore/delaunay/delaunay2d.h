@@ -6,6 +6,7 @@
 #include "base/stop_reason.h"
 #include "delaunay/cavity2d.h"
 #include "delaunay/locate2d.h"
+#include "delaunay/replay_log.h"
 #include "delaunay/segment_recovery2d.h"
 #include "delaunay/triangulation2d.h"
 #include "delaunay/vertex_removal2d.h"
@@ -49,8 +50,8 @@ enum class RemovalPolicy
 enum class RemovalOutcome
 {
     Removed,
-    KeptConstrained,     ///< constrained edges meet in the vertex: nothing was changed
-    KeptLastTriangles    ///< without the vertex all triangles and with them constrained edges would go: not changed
+    KeptConstrained,  ///< constrained edges meet in the vertex: nothing was changed
+    KeptLastTriangles  ///< without the vertex all triangles and with them constrained edges would go: not changed
 };
 
 /// What has been done so far; for reports and for ceilings in tests.
@@ -89,15 +90,20 @@ public:
 
     /// Inserts many points at once, in an order of its own; vertices are numbered in that order, which keeps what is
     /// near in the plane near in memory. A bad point is an Error, and then none is inserted.
-    [[nodiscard]] Result<BulkInsertion2d> insertPoints(std::span<const Vec2> points, RunContext* context = nullptr);
+    [[nodiscard]] Result<BulkInsertion2d> insertPoints(std::span<const Vec2> points,
+                                                       RunContext* context = nullptr);
     /// Inserts one point; `hint` is a triangle that may be near it, a dead or invalid one is ignored.
     [[nodiscard]] Result<Insertion2d> insert(Vec2 point, TriangleId hint = {});
 
     /// Where the point lies. Requires a point in the exact range.
     [[nodiscard]] Location2d locate(Vec2 point, TriangleId hint = {}) const;
 
+    /// A filter for predicates on the vertices and the point.
+    [[nodiscard]] StaticFilter2d filterFor(Vec2 point) const;
+
     /// What inserting the point would do; `location` is that of `locate` and neither on a vertex nor NoTriangles.
-    void findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity) const;
+    void findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity,
+                    StarCheck check = StarCheck::Repair) const;
     /// Does it. Requires that nothing was changed since `findCavity`. To abandon a cavity just drop it.
     VertexId commit(const Cavity2d& cavity);
 
@@ -120,6 +126,10 @@ public:
         mesh_.setOrigin(vertex, origin, entity);
     }
 
+    /// Writes down every change from now on, vertices labelled by their ids; null to stop. The log must outlive this
+    /// object or the next call.
+    void recordTo(ReplayLog* log) { log_ = log; }
+
     void reserve(std::size_t vertexCount) { mesh_.reserve(vertexCount); }
     Triangulation2d::Renumbering compact();
 
@@ -129,6 +139,10 @@ private:
         bool operator()(Vec2 a, Vec2 b) const { return isLexicographicallyLess(a, b); }
     };
 
+    void record(const ReplayOperation& operation)
+    {
+        if (log_ != nullptr) log_->add(operation);
+    }
     Insertion2d insertChecked(Vec2 point, TriangleId hint, StarCheck check);
     Insertion2d insertOnLine(Vec2 point);
     void raiseDimension(VertexId apex);
@@ -136,8 +150,10 @@ private:
     void lowerDimension(VertexId vertex);
     void connect(VertexId vertex, TriangleId hint);
     void includeInBox(Vec2 point);
-    [[nodiscard]] StaticFilter2d filterFor(Vec2 point) const;
-    [[nodiscard]] TriangleId startFor(TriangleId hint) const { return mesh_.isAlive(hint) ? hint : lastTriangle_; }
+    [[nodiscard]] TriangleId startFor(TriangleId hint) const
+    {
+        return mesh_.isAlive(hint) ? hint : lastTriangle_;
+    }
     /// The ends of a straight constrained chain through the vertex; invalid ids if there is none.
     [[nodiscard]] ChainEnds straightChainThrough(VertexId vertex) const;
     [[nodiscard]] bool hasConstrainedEdge(VertexId vertex) const;
@@ -152,6 +168,7 @@ private:
     Delaunay2dCounters counters_;
     /// Counts changes, so that a stale cavity is told.
     std::uint64_t revision_ = 0;
+    ReplayLog* log_ = nullptr;
 
     Cavity2d cavity_;
     SegmentWorkspace2d segmentWorkspace_;

@@ -9,15 +9,9 @@
 namespace mesher {
 namespace {
 
-std::string describe(TriangleId t)
-{
-    return "triangle " + std::to_string(t.value);
-}
+std::string describe(TriangleId t) { return "triangle " + std::to_string(t.value); }
 
-std::string describe(VertexId v)
-{
-    return "vertex " + std::to_string(v.value);
-}
+std::string describe(VertexId v) { return "vertex " + std::to_string(v.value); }
 
 /// Goes through the triangulation until the first violation.
 class TopologyCheck
@@ -25,13 +19,13 @@ class TopologyCheck
 public:
     explicit TopologyCheck(const Triangulation2d& mesh) : mesh_(mesh) {}
 
-    CheckReport2d run()
+    CheckReport run()
     {
-        for (std::uint32_t i = 0; i < mesh_.triangleSlots() && report_.isClean(); ++i) {
+        for (std::uint32_t i = 0; i < mesh_.triangleSlots() && report_.isValid(); ++i) {
             if (mesh_.isAlive(TriangleId(i))) visit(TriangleId(i));
         }
-        if (report_.isClean()) visitVertices();
-        if (report_.isClean()) checkCounts();
+        if (report_.isValid()) visitVertices();
+        if (report_.isValid()) checkCounts();
         return report_;
     }
 
@@ -48,14 +42,13 @@ private:
         if (record.v[0] == record.v[1] || record.v[1] == record.v[2] || record.v[2] == record.v[0]) {
             return fail(describe(t) + " has a corner twice");
         }
-        for (unsigned edge = 0; edge < 3 && report_.isClean(); ++edge) visitEdge(EdgeLink(t, edge));
-        if (!report_.isClean()) return;
+        for (unsigned edge = 0; edge < 3 && report_.isValid(); ++edge) visitEdge(EdgeLink(t, edge));
+        if (!report_.isValid()) return;
         if (record.isGhost()) {
-            ++report_.hullEdges;
+            ++hullEdges_;
             checkHullCorner(t);
-        }
-        else {
-            ++report_.finiteTriangles;
+        } else {
+            ++finiteTriangles_;
             checkOrientation(t);
         }
     }
@@ -64,17 +57,18 @@ private:
     {
         const EdgeLink other = mesh_.across(e);
         const std::string name = describe(e.triangle()) + " edge " + std::to_string(e.edge());
-        if (other.edge() > 2 || !mesh_.isAlive(other.triangle())) return fail(name + " links to nothing alive");
+        if (other.edge() > 2 || !mesh_.isAlive(other.triangle()))
+            return fail(name + " links to nothing alive");
         if (mesh_.across(other) != e) return fail(name + " is not linked back");
         if (mesh_.edgeFrom(e) != mesh_.edgeTo(other) || mesh_.edgeTo(e) != mesh_.edgeFrom(other)) {
             return fail(name + " has other ends on its other side");
         }
-        if (mesh_.isConstrained(e) != mesh_.isConstrained(other)) return fail(name + " is constrained on one side only");
+        if (mesh_.isConstrained(e) != mesh_.isConstrained(other))
+            return fail(name + " is constrained on one side only");
         if (!mesh_.isConstrained(e)) return;
         if (mesh_.edgeFrom(e) == kGhostVertex || mesh_.edgeTo(e) == kGhostVertex) {
             return fail(name + " is constrained and leads to the ghost vertex");
         }
-        if (e < other) ++report_.constrainedEdges;
     }
 
     void checkOrientation(TriangleId t)
@@ -98,7 +92,7 @@ private:
 
     void visitVertices()
     {
-        for (std::uint32_t i = 0; i < mesh_.vertexSlots() && report_.isClean(); ++i) {
+        for (std::uint32_t i = 0; i < mesh_.vertexSlots() && report_.isValid(); ++i) {
             const VertexId v(i);
             if (!mesh_.isAlive(v)) continue;
             const TriangleId t = mesh_.triangleAt(v);
@@ -108,7 +102,8 @@ private:
             }
             if (!mesh_.isAlive(t)) return fail(describe(v) + " names a dead triangle");
             const Triangle2d& record = mesh_.triangle(t);
-            if (record.v[record.cornerOf(v)] != v) return fail(describe(v) + " names a triangle it is not in");
+            if (record.v[record.cornerOf(v)] != v)
+                return fail(describe(v) + " names a triangle it is not in");
         }
     }
 
@@ -116,44 +111,44 @@ private:
     void checkCounts()
     {
         if (mesh_.triangleCount() == 0) return;
-        const std::size_t total = report_.finiteTriangles + report_.hullEdges;
+        const std::size_t total = finiteTriangles_ + hullEdges_;
         if (total != mesh_.triangleCount()) return fail("the count of alive triangles is wrong");
         if (total != 2 * (mesh_.vertexCount() + 1) - 4) fail("the counts break Euler's relation");
     }
 
-    void fail(std::string violation) { report_.violation = std::move(violation); }
+    void fail(const std::string& violation) { report_.add(violation); }
 
     const Triangulation2d& mesh_;
-    CheckReport2d report_;
+    CheckReport report_;
+    std::size_t finiteTriangles_ = 0;
+    std::size_t hullEdges_ = 0;
 };
 
 }  // namespace
 
-CheckReport2d checkTopology(const Triangulation2d& mesh)
-{
-    return TopologyCheck(mesh).run();
-}
+CheckReport checkTopology2d(const Triangulation2d& mesh) { return TopologyCheck(mesh).run(); }
 
-CheckReport2d checkDelaunay(const Triangulation2d& mesh)
+CheckReport checkDelaunay2d(const Triangulation2d& mesh)
 {
-    CheckReport2d report = checkTopology(mesh);
+    CheckReport report = checkTopology2d(mesh);
     // A default-made filter leaves every decision to the exact tiers: slow, and independent of the kernel's boxes.
     const StaticFilter2d filter;
-    for (std::uint32_t i = 0; i < mesh.triangleSlots() && report.isClean(); ++i) {
+    for (std::uint32_t i = 0; i < mesh.triangleSlots() && report.isValid(); ++i) {
         if (!mesh.isAlive(TriangleId(i))) continue;
         for (unsigned edge = 0; edge < 3; ++edge) {
             if (isLocallyDelaunay(mesh, filter, EdgeLink(TriangleId(i), edge))) continue;
-            report.violation = describe(TriangleId(i)) + " edge " + std::to_string(edge) + " is not locally Delaunay";
+            report.add(describe(TriangleId(i)) + " edge " + std::to_string(edge) +
+                       " is not locally Delaunay");
             break;
         }
     }
     return report;
 }
 
-CheckReport2d checkEmptyCircles(const Triangulation2d& mesh)
+CheckReport checkEmptyCircles2d(const Triangulation2d& mesh)
 {
-    CheckReport2d report = checkTopology(mesh);
-    for (std::uint32_t i = 0; i < mesh.triangleSlots() && report.isClean(); ++i) {
+    CheckReport report = checkTopology2d(mesh);
+    for (std::uint32_t i = 0; i < mesh.triangleSlots() && report.isValid(); ++i) {
         const Triangle2d& record = mesh.triangle(TriangleId(i));
         if (!record.isAlive() || record.isGhost()) continue;
         for (std::uint32_t k = 0; k < mesh.vertexSlots(); ++k) {
@@ -163,7 +158,7 @@ CheckReport2d checkEmptyCircles(const Triangulation2d& mesh)
                          mesh.position(v)) != Sign::Positive) {
                 continue;
             }
-            report.violation = describe(v) + " lies inside the circle of " + describe(TriangleId(i));
+            report.add(describe(v) + " lies inside the circle of " + describe(TriangleId(i)));
             break;
         }
     }

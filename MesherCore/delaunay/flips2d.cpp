@@ -13,11 +13,12 @@ struct OuterSide
 
     OuterSide(const Triangle2d& record, unsigned edge)
         : link(record.n[edge]), isConstrained(record.isConstrained(edge))
-    {}
+    {
+    }
 };
 
-void write(Triangulation2d& mesh, TriangleId t, const VertexId (&corners)[3], EdgeLink diagonal, const OuterSide& one,
-           const OuterSide& two)
+void write(Triangulation2d& mesh, TriangleId t, const VertexId (&corners)[3], EdgeLink diagonal,
+           const OuterSide& one, const OuterSide& two)
 {
     Triangle2d& record = mesh.triangle(t);
     for (unsigned i = 0; i < 3; ++i) record.v[i] = corners[i];
@@ -25,7 +26,8 @@ void write(Triangulation2d& mesh, TriangleId t, const VertexId (&corners)[3], Ed
     mesh.link(EdgeLink(t, 1), one.link);
     mesh.link(EdgeLink(t, 2), two.link);
     const unsigned marks = record.flags & ~unsigned{Triangle2d::kConstrainedEdges};
-    record.flags = static_cast<std::uint16_t>(marks | (one.isConstrained ? 2u : 0u) | (two.isConstrained ? 4u : 0u));
+    record.flags =
+        static_cast<std::uint16_t>(marks | (one.isConstrained ? 2u : 0u) | (two.isConstrained ? 4u : 0u));
     ++record.generation;
     for (const VertexId corner : corners) mesh.setTriangleAt(corner, t);
 }
@@ -66,7 +68,8 @@ bool isLocallyDelaunay(const Triangulation2d& mesh, const StaticFilter2d& filter
                              mesh.position(record.v[2]), mesh.position(mesh.apex(other))) != Sign::Positive;
 }
 
-std::size_t restoreDelaunay(Triangulation2d& mesh, const StaticFilter2d& filter, std::vector<EdgeLink>& suspects)
+std::size_t restoreDelaunay(Triangulation2d& mesh, const StaticFilter2d& filter,
+                            std::vector<EdgeLink>& suspects)
 {
     std::size_t flips = 0;
     while (!suspects.empty()) {

@@ -18,7 +18,8 @@ EdgeLink flip(Triangulation2d& mesh, EdgeLink edge);
 
 /// Whether the edge is allowed to stay: constrained, on the hull, or locally Delaunay (perturbed, so that exactly
 /// one of two diagonals is).
-[[nodiscard]] bool isLocallyDelaunay(const Triangulation2d& mesh, const StaticFilter2d& filter, EdgeLink edge);
+[[nodiscard]] bool isLocallyDelaunay(const Triangulation2d& mesh, const StaticFilter2d& filter,
+                                     EdgeLink edge);
 
 /// Flips until every edge is locally Delaunay, starting from the edges in `suspects`, which is emptied. Suspects may
 /// be stale: any valid triangle and edge number is fine, as long as all edges in doubt are among them.
@@ -27,6 +28,7 @@ EdgeLink flip(Triangulation2d& mesh, EdgeLink edge);
 /// Cost         linear in the number of flips, which is quadratic at worst
 /// Returns      the number of flips
 /// Reference    [lawson1977]
-std::size_t restoreDelaunay(Triangulation2d& mesh, const StaticFilter2d& filter, std::vector<EdgeLink>& suspects);
+std::size_t restoreDelaunay(Triangulation2d& mesh, const StaticFilter2d& filter,
+                            std::vector<EdgeLink>& suspects);
 
 }  // namespace mesher

@@ -27,9 +27,12 @@ Location2d classify(TriangleId t, unsigned edgesThroughPoint)
 {
     switch (std::popcount(edgesThroughPoint)) {
         case 0: return {Location2d::Kind::InTriangle, t, 0};
-        case 1: return {Location2d::Kind::OnEdge, t, static_cast<unsigned>(std::countr_zero(edgesThroughPoint))};
+        case 1:
+            return {Location2d::Kind::OnEdge, t, static_cast<unsigned>(std::countr_zero(edgesThroughPoint))};
         // Two edges meet in the corner opposite the third.
-        default: return {Location2d::Kind::OnVertex, t, static_cast<unsigned>(std::countr_one(edgesThroughPoint) % 3)};
+        default:
+            return {Location2d::Kind::OnVertex, t,
+                    static_cast<unsigned>(std::countr_one(edgesThroughPoint) % 3)};
     }
 }
 
@@ -46,12 +49,14 @@ Location2d locate(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec
     for (;;) {
         const Triangle2d& record = mesh.triangle(t);
         if (record.isGhost()) return {Location2d::Kind::OutsideHull, t, 2};
-        const Vec2 corners[3] = {mesh.position(record.v[0]), mesh.position(record.v[1]), mesh.position(record.v[2])};
+        const Vec2 corners[3] = {mesh.position(record.v[0]), mesh.position(record.v[1]),
+                                 mesh.position(record.v[2])};
         unsigned edgesThroughPoint = 0;
         EdgeLink exit;
         for (const unsigned edge : kOrder[entered][coin.next()]) {
             if (edge == kNowhere) break;
-            const Sign side = orient2d(filter, corners[nextCorner(edge)], corners[previousCorner(edge)], point);
+            const Sign side =
+                orient2d(filter, corners[nextCorner(edge)], corners[previousCorner(edge)], point);
             if (side == Sign::Negative) {
                 exit = record.n[edge];
                 break;

@@ -1,5 +1,7 @@
 #include "delaunay/mesh_hash2d.h"
 
+#include "delaunay/mesh_hash.h"
+
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -7,36 +9,29 @@
 namespace mesher {
 namespace {
 
-/// A bijection that changes half of the bits when one changes.
-constexpr std::uint64_t mix(std::uint64_t z)
-{
-    z = (z ^ z >> 32) * 0xD6E8FEB86659FD93u;
-    z = (z ^ z >> 32) * 0xD6E8FEB86659FD93u;
-    return z ^ z >> 32;
-}
-
 std::uint64_t hashOf(Vec2 p)
 {
     // Adding zero makes the two zeros one.
-    const std::uint64_t x = mix(std::bit_cast<std::uint64_t>(p.x + 0.0) + 0x9E3779B97F4A7C15u);
-    return mix(x ^ std::bit_cast<std::uint64_t>(p.y + 0.0));
+    const std::uint64_t x = mixBits(std::bit_cast<std::uint64_t>(p.x + 0.0) + 0x9E3779B97F4A7C15u);
+    return mixBits(x ^ std::bit_cast<std::uint64_t>(p.y + 0.0));
 }
 
 std::uint64_t hashOf(const Triangulation2d& mesh, const Triangle2d& record)
 {
     std::pair<std::uint64_t, bool> corners[3];
-    for (unsigned i = 0; i < 3; ++i) corners[i] = {hashOf(mesh.position(record.v[i])), record.isConstrained(i)};
+    for (unsigned i = 0; i < 3; ++i)
+        corners[i] = {hashOf(mesh.position(record.v[i])), record.isConstrained(i)};
     std::sort(std::begin(corners), std::end(corners));
     std::uint64_t hash = 0;
     for (const auto& [corner, isOppositeConstrained] : corners) {
-        hash = mix(hash ^ corner) + (isOppositeConstrained ? 0xA0761D6478BD642Fu : 0u);
+        hash = mixBits(hash ^ corner) + (isOppositeConstrained ? 0xA0761D6478BD642Fu : 0u);
     }
-    return mix(hash);
+    return mixBits(hash);
 }
 
 }  // namespace
 
-std::uint64_t meshHash(const Triangulation2d& mesh)
+std::uint64_t meshHash2d(const Triangulation2d& mesh)
 {
     std::uint64_t sum = 0;
     for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {

@@ -15,7 +15,8 @@ class SegmentTrace
 public:
     SegmentTrace(const Triangulation2d& mesh, const StaticFilter2d& filter, VertexId a, VertexId b)
         : mesh_(mesh), filter_(filter), a_(a), b_(b), from_(mesh.position(a)), to_(mesh.position(b))
-    {}
+    {
+    }
 
     /// The first vertex on the segment after a.
     VertexId run(std::vector<EdgeLink>& crossed) const
@@ -50,7 +51,8 @@ private:
                 return false;
             }
             // Counter-clockwise from the right of the line to its left is ahead, not behind.
-            if (left == kGhostVertex || rightSide != Sign::Negative || sideOf(left) != Sign::Positive) return true;
+            if (left == kGhostVertex || rightSide != Sign::Negative || sideOf(left) != Sign::Positive)
+                return true;
             crossed.push_back(opposite);
             return false;
         });
@@ -90,7 +92,8 @@ Error crossingError(const Triangulation2d& mesh, VertexId a, VertexId b, EdgeLin
     Error error;
     error.code = ErrorCode::IntersectingConstraints;
     error.message = "two constraints cross away from a common vertex";
-    error.entity = nameSegment(a, b) + " and " + nameSegment(mesh.edgeFrom(constrained), mesh.edgeTo(constrained));
+    error.entity =
+        nameSegment(a, b) + " and " + nameSegment(mesh.edgeFrom(constrained), mesh.edgeTo(constrained));
     error.point = Vec3{place.x, place.y, 0.0};
     error.remedy = "split both segments where they cross";
     return error;
@@ -100,7 +103,8 @@ Error crossingError(const Triangulation2d& mesh, VertexId a, VertexId b, EdgeLin
 /// v has none: u and w are joined then.
 /// The fan of triangles around v runs from u to w, counter-clockwise. Its farthest vertex on the right of the segment
 /// is a convex corner of the fan's outline, so some edge can be flipped as long as one is left.
-std::size_t detachFromStrip(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId u, VertexId v, VertexId w)
+std::size_t detachFromStrip(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId u, VertexId v,
+                            VertexId w)
 {
     std::size_t flips = 0;
     const EdgeLink firstSide = mesh.findEdge(v, u);
@@ -139,7 +143,8 @@ std::size_t clearStrip(Triangulation2d& mesh, const StaticFilter2d& filter, Vert
         while (chain.size() >= 2) {
             const VertexId u = chain[chain.size() - 2];
             const VertexId v = chain.back();
-            if (orient2d(filter, mesh.position(u), mesh.position(v), mesh.position(w)) != Sign::Negative) break;
+            if (orient2d(filter, mesh.position(u), mesh.position(v), mesh.position(w)) != Sign::Negative)
+                break;
             flips += detachFromStrip(mesh, filter, u, v, w);
             chain.pop_back();
         }
@@ -166,7 +171,8 @@ void recoverPiece(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId 
         const EdgeLink edge = workspace.crossed[i];
         for (unsigned side = 0; side < 3; ++side) workspace.suspects.emplace_back(edge.triangle(), side);
         if (i + 1 < workspace.crossed.size()) continue;
-        for (unsigned side = 0; side < 3; ++side) workspace.suspects.emplace_back(mesh.across(edge).triangle(), side);
+        for (unsigned side = 0; side < 3; ++side)
+            workspace.suspects.emplace_back(mesh.across(edge).triangle(), side);
     }
     if (!workspace.crossed.empty()) result.recoveryFlips += clearStrip(mesh, filter, a, b, workspace);
     mesh.setConstrained(mesh.findEdge(a, b), true);
@@ -175,8 +181,8 @@ void recoverPiece(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId 
 
 }  // namespace
 
-Result<SegmentRecovery2d> recoverSegment(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId a, VertexId b,
-                                         SegmentWorkspace2d& workspace)
+Result<SegmentRecovery2d> recoverSegment(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId a,
+                                         VertexId b, SegmentWorkspace2d& workspace)
 {
     MESHER_PRECONDITION(mesh.isAlive(a) && mesh.isAlive(b) && a != b);
     std::vector<VertexId>& vertices = workspace.vertices;
@@ -191,7 +197,8 @@ Result<SegmentRecovery2d> recoverSegment(Triangulation2d& mesh, const StaticFilt
     SegmentRecovery2d result;
     for (std::size_t i = 1; i < vertices.size(); ++i) {
         // With one piece the trace is still at hand.
-        if (vertices.size() > 2) SegmentTrace(mesh, filter, vertices[i - 1], vertices[i]).run(workspace.crossed);
+        if (vertices.size() > 2)
+            SegmentTrace(mesh, filter, vertices[i - 1], vertices[i]).run(workspace.crossed);
         recoverPiece(mesh, filter, vertices[i - 1], vertices[i], workspace, result);
     }
     return result;

@@ -35,7 +35,7 @@ struct SegmentRecovery2d
 ///              where it bulges, and there the fan of crossed edges of such a vertex always has one to flip
 /// Cost         linear in the number of crossed edges in practice, quadratic at worst
 /// Reference    [lawson1977] for the flips, [bernal1995] for the order that always ends, [sloan1993]
-[[nodiscard]] Result<SegmentRecovery2d> recoverSegment(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId a,
-                                                       VertexId b, SegmentWorkspace2d& workspace);
+[[nodiscard]] Result<SegmentRecovery2d> recoverSegment(Triangulation2d& mesh, const StaticFilter2d& filter,
+                                                       VertexId a, VertexId b, SegmentWorkspace2d& workspace);
 
 }  // namespace mesher

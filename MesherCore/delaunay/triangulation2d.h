@@ -47,7 +47,10 @@ struct alignas(32) Triangle2d
     [[nodiscard]] bool isAlive() const { return (flags & kDead) == 0; }
     [[nodiscard]] bool isGhost() const { return v[2] == kGhostVertex; }
     [[nodiscard]] bool isConstrained(unsigned edge) const { return (flags >> edge & 1u) != 0; }
-    [[nodiscard]] unsigned cornerOf(VertexId vertex) const { return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2); }
+    [[nodiscard]] unsigned cornerOf(VertexId vertex) const
+    {
+        return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2);
+    }
 };
 static_assert(sizeof(Triangle2d) == 32);
 
@@ -89,7 +92,10 @@ public:
     void setLengthScale(VertexId vertex, double scale) { vertices_[vertex].lengthScale = scale; }
     /// Number of the model entity the vertex lies on, of the kind that `origin` tells.
     [[nodiscard]] std::uint32_t entity(VertexId vertex) const { return vertices_[vertex].entity; }
-    [[nodiscard]] VertexOrigin origin(VertexId vertex) const { return static_cast<VertexOrigin>(origins_[vertex]); }
+    [[nodiscard]] VertexOrigin origin(VertexId vertex) const
+    {
+        return static_cast<VertexOrigin>(origins_[vertex]);
+    }
     void setOrigin(VertexId vertex, VertexOrigin origin, std::uint32_t entity);
     ///@}
 
@@ -98,7 +104,10 @@ public:
     [[nodiscard]] std::size_t triangleSlots() const { return triangles_.size(); }
     /// Alive triangles, ghosts included.
     [[nodiscard]] std::size_t triangleCount() const { return triangles_.size() - freeTriangles_; }
-    [[nodiscard]] bool isAlive(TriangleId t) const { return t.value < triangles_.size() && triangles_[t].isAlive(); }
+    [[nodiscard]] bool isAlive(TriangleId t) const
+    {
+        return t.value < triangles_.size() && triangles_[t].isAlive();
+    }
     [[nodiscard]] const Triangle2d& triangle(TriangleId t) const { return triangles_[t]; }
     [[nodiscard]] Triangle2d& triangle(TriangleId t) { return triangles_[t]; }
     /// A free slot with the next generation, flags cleared; its corners and links are to be set by the caller.
@@ -110,12 +119,21 @@ public:
 
     /// \name Edges
     ///@{
-    [[nodiscard]] VertexId edgeFrom(EdgeLink e) const { return triangles_[e.triangle()].v[nextCorner(e.edge())]; }
-    [[nodiscard]] VertexId edgeTo(EdgeLink e) const { return triangles_[e.triangle()].v[previousCorner(e.edge())]; }
+    [[nodiscard]] VertexId edgeFrom(EdgeLink e) const
+    {
+        return triangles_[e.triangle()].v[nextCorner(e.edge())];
+    }
+    [[nodiscard]] VertexId edgeTo(EdgeLink e) const
+    {
+        return triangles_[e.triangle()].v[previousCorner(e.edge())];
+    }
     /// The same edge seen from the other side.
     [[nodiscard]] EdgeLink across(EdgeLink e) const { return triangles_[e.triangle()].n[e.edge()]; }
     [[nodiscard]] VertexId apex(EdgeLink e) const { return triangles_[e.triangle()].v[e.edge()]; }
-    [[nodiscard]] bool isConstrained(EdgeLink e) const { return triangles_[e.triangle()].isConstrained(e.edge()); }
+    [[nodiscard]] bool isConstrained(EdgeLink e) const
+    {
+        return triangles_[e.triangle()].isConstrained(e.edge());
+    }
     /// Sets the flag on both sides.
     void setConstrained(EdgeLink e, bool isConstrained);
     /// Makes two sides the two sides of one edge.

@@ -37,9 +37,15 @@ class HoleFilling
 public:
     HoleFilling(Triangulation2d& mesh, const StaticFilter2d& filter, VertexId centre, const ChainEnds* chain,
                 RemovalWorkspace2d& workspace)
-        : mesh_(mesh), filter_(filter), centre_(mesh.position(centre)), chain_(chain), workspace_(workspace),
-          ring_(workspace.ring), remaining_(static_cast<std::uint32_t>(workspace.ring.size()))
-    {}
+        : mesh_(mesh),
+          filter_(filter),
+          centre_(mesh.position(centre)),
+          chain_(chain),
+          workspace_(workspace),
+          ring_(workspace.ring),
+          remaining_(static_cast<std::uint32_t>(workspace.ring.size()))
+    {
+    }
 
     void run()
     {
@@ -48,11 +54,9 @@ public:
         cutEars(isOnHull || chain_ != nullptr ? 2 : 3);
         if (isOnHull) {
             closeHull();
-        }
-        else if (chain_ != nullptr) {
+        } else if (chain_ != nullptr) {
             joinChain();
-        }
-        else {
+        } else {
             closeTriangle();
         }
         for (const TriangleId spare : workspace_.slots) mesh_.freeTriangle(spare);
@@ -133,7 +137,8 @@ private:
         const Corner& ghost = ring_.back();
         EdgeLink previous = ghost.outer;
         for (std::uint32_t i = ghost.next; ring_[i].next != ring_.size() - 1; i = ring_[i].next) {
-            const TriangleId t = make(ring_[i].vertex, ring_[ring_[i].next].vertex, kGhostVertex, RegionId(0));
+            const TriangleId t =
+                make(ring_[i].vertex, ring_[ring_[i].next].vertex, kGhostVertex, RegionId(0));
             mesh_.link(EdgeLink(t, 1), previous);
             join(EdgeLink(t, 2), ring_[i].outer);
             if (chain_ != nullptr) mesh_.setConstrained(EdgeLink(t, 2), true);

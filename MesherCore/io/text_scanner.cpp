@@ -17,7 +17,7 @@ std::string shown(std::string_view text)
     std::string result(text.substr(0, kLongestQuote));
     std::replace_if(
         result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }, '?');
-    return "'" + result + (text.size() > kLongestQuote ? "…'" : "'");
+    return std::string("'").append(result).append(text.size() > kLongestQuote ? "…'" : "'");
 }
 
 }  // namespace

@@ -1,0 +1,222 @@
+#include "triangulation2d/small_angles2d.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace mesher {
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+
+struct CurveEndAt
+{
+    SubcurveId subcurve;
+    CurveEnd end = CurveEnd::First;
+    double tangentAngle = 0.0;
+    double orderAngle = 0.0;  ///< of the curve's point on a common circle around the apex: curves do not cross there
+};
+
+double angleOf(Vec2 v) { return std::atan2(v.y, v.x); }
+
+/// The ends of subcurves at each corner vertex, flat and in order of the subcurves.
+class EndsByVertex
+{
+public:
+    explicit EndsByVertex(const Boundary& boundary) : start_(boundary.vertices.size() + 1, 0)
+    {
+        forEachEnd(boundary, [&](BoundaryVertexId v, CurveEndAt) { ++start_[v.value + 1]; });
+        for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+        ends_.resize(start_.back());
+        std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+        forEachEnd(boundary, [&](BoundaryVertexId v, CurveEndAt end) { ends_[next[v.value]++] = end; });
+    }
+
+    [[nodiscard]] std::vector<CurveEndAt> at(BoundaryVertexId v) const
+    {
+        return {ends_.begin() + static_cast<std::ptrdiff_t>(start_[v.value]),
+                ends_.begin() + static_cast<std::ptrdiff_t>(start_[v.value + 1])};
+    }
+
+private:
+    template <class Visit>
+    static void forEachEnd(const Boundary& boundary, Visit&& visit)
+    {
+        for (std::uint32_t i = 0; i < boundary.subcurves.size(); ++i) {
+            const Subcurve& subcurve = boundary.subcurves[SubcurveId(i)];
+            if (!subcurve.isAlive) continue;
+            if (boundary.vertices[subcurve.first].isCorner) {
+                visit(subcurve.first, CurveEndAt{SubcurveId(i), CurveEnd::First});
+            }
+            if (boundary.vertices[subcurve.last].isCorner) {
+                visit(subcurve.last, CurveEndAt{SubcurveId(i), CurveEnd::Last});
+            }
+        }
+    }
+
+    std::vector<std::size_t> start_;
+    std::vector<CurveEndAt> ends_;
+};
+
+class Protection
+{
+public:
+    Protection(const PlanarDomain& domain, Boundary& boundary) : domain_(domain), boundary_(boundary) {}
+
+    SmallAngles2d run()
+    {
+        const EndsByVertex endsByVertex(boundary_);
+        const std::size_t vertexCount = boundary_.vertices.size();
+        for (std::uint32_t i = 0; i < vertexCount; ++i) {
+            if (!boundary_.vertices[BoundaryVertexId(i)].isCorner) continue;
+            std::vector<CurveEndAt> ends = endsByVertex.at(BoundaryVertexId(i));
+            if (ends.size() >= 2) findComplexes(BoundaryVertexId(i), ends);
+        }
+        splitBetweenApexes();
+        cutAtShells();
+        return std::move(result_);
+    }
+
+private:
+    void sortAround(BoundaryVertexId apex, std::vector<CurveEndAt>& ends) const
+    {
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const CurveEndAt& end : ends) shortest = std::min(shortest, boundary_.edgeLength(end.subcurve));
+        const double radius = 0.5 * shortest / domain_.scale();
+        const BoundaryVertex& centre = boundary_.vertices[apex];
+        for (CurveEndAt& end : ends) {
+            const Subcurve& subcurve = boundary_.subcurves[end.subcurve];
+            end.tangentAngle = angleOf(domain_.directionInto(subcurve.curve, subcurve.part, end.end));
+            const DistanceCrossing crossing =
+                domain_.variation(subcurve.curve).parameterAtDistance(centre.space, radius, subcurve.part, end.end);
+            end.orderAngle = crossing.parameter ? angleOf(domain_.place(subcurve.curve, *crossing.parameter).position -
+                                                          centre.position)
+                                                : end.tangentAngle;
+        }
+        std::stable_sort(ends.begin(), ends.end(), [](const CurveEndAt& a, const CurveEndAt& b) {
+            return a.orderAngle < b.orderAngle;
+        });
+    }
+
+    /// From one end counter-clockwise to the next; the tangents' angle, which for touching curves is zero and not a turn.
+    static double wedgeAngle(const CurveEndAt& from, const CurveEndAt& to, bool isWrapped)
+    {
+        const double order = to.orderAngle - from.orderAngle + (isWrapped ? kFullTurn : 0.0);
+        const double tangents = to.tangentAngle - from.tangentAngle;
+        const double turns = std::round((order - tangents) / kFullTurn);
+        return std::max(0.0, tangents + turns * kFullTurn);
+    }
+
+    [[nodiscard]] RegionId regionLeftOf(const CurveEndAt& end) const
+    {
+        const PccCurve& curve = domain_.curve(boundary_.subcurves[end.subcurve].curve);
+        return end.end == CurveEnd::First ? curve.left : curve.right;
+    }
+
+    void findComplexes(BoundaryVertexId apex, std::vector<CurveEndAt>& ends)
+    {
+        sortAround(apex, ends);
+        const std::size_t count = ends.size();
+        std::vector<double> wedges(count);
+        std::vector<bool> isSmall(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            wedges[i] = wedgeAngle(ends[i], ends[(i + 1) % count], i + 1 == count) * kDegreesPerRadian;
+            isSmall[i] = wedges[i] < SmallAngles2d::kLimitDegrees - kAngleSlack && regionLeftOf(ends[i]).value != 0;
+        }
+        // Start behind a wedge that is not small, so that no complex is met in its middle.
+        const auto large = std::find(isSmall.begin(), isSmall.end(), false);
+        const std::size_t start = large == isSmall.end() ? 0 : static_cast<std::size_t>(large - isSmall.begin()) + 1;
+        SmallAngleId open;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = (start + k) % count;
+            if (!isSmall[i]) {
+                open = SmallAngleId();
+                continue;
+            }
+            if (!open.isValid()) open = result_.complexes.push_back({apex, {}, 0});
+            const CurveEndAt& next = ends[(i + 1) % count];
+            result_.complexes[open].angles.push_back({boundary_.subcurves[ends[i].subcurve].curve,
+                                                      boundary_.subcurves[next.subcurve].curve, wedges[i]});
+            enrol(ends[i], open);
+            enrol(next, open);
+        }
+    }
+
+    void enrol(const CurveEndAt& end, SmallAngleId complex)
+    {
+        Subcurve& subcurve = boundary_.subcurves[end.subcurve];
+        (end.end == CurveEnd::First ? subcurve.firstApex : subcurve.lastApex) = complex;
+    }
+
+    void splitBetweenApexes()
+    {
+        const std::size_t count = boundary_.subcurves.size();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Subcurve& subcurve = boundary_.subcurves[SubcurveId(i)];
+            if (!subcurve.isAlive || !subcurve.firstApex.isValid() || !subcurve.lastApex.isValid()) continue;
+            const auto place = equalVariationPlace(domain_, boundary_, SubcurveId(i));
+            if (!place) {
+                ++result_.unprotected;
+                continue;
+            }
+            boundary_.split(SubcurveId(i), *place);
+            ++result_.splits;
+        }
+    }
+
+    void cutAtShells()
+    {
+        IdVector<SmallAngleId, double> shortest(result_.complexes.size(), std::numeric_limits<double>::infinity());
+        const std::size_t count = boundary_.subcurves.size();
+        const auto apexOf = [&](SubcurveId s) {
+            const Subcurve& subcurve = boundary_.subcurves[s];
+            return subcurve.isAlive ? (subcurve.firstApex.isValid() ? subcurve.firstApex : subcurve.lastApex)
+                                    : SmallAngleId();
+        };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const SmallAngleId apex = apexOf(SubcurveId(i));
+            if (apex.isValid()) shortest[apex] = std::min(shortest[apex], boundary_.edgeLength(SubcurveId(i)));
+        }
+        for (std::uint32_t i = 0; i < result_.complexes.size(); ++i) {
+            result_.complexes[SmallAngleId(i)].firstShell = firstShellExponent(shortest[SmallAngleId(i)]);
+        }
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const SubcurveId s(i);
+            const SmallAngleId apex = apexOf(s);
+            if (!apex.isValid()) continue;
+            const CurveEnd end = boundary_.subcurves[s].firstApex.isValid() ? CurveEnd::First : CurveEnd::Last;
+            const int exponent = result_.complexes[apex].firstShell;
+            const auto place = shellPlace(domain_, boundary_, s, end, exponent);
+            if (!place || place->shellExponent != exponent) ++result_.unprotected;
+            if (!place) continue;
+            boundary_.split(s, *place);
+            ++result_.splits;
+        }
+    }
+
+    // Hexagonal figures have angles of 60 degrees up to rounding, which are not small.
+    static constexpr double kAngleSlack = 1e-6;
+
+    const PlanarDomain& domain_;
+    Boundary& boundary_;
+    SmallAngles2d result_;
+};
+
+}  // namespace
+
+double SmallAngleComplex::smallestAngle() const
+{
+    double smallest = SmallAngles2d::kLimitDegrees;
+    for (const InputAngle& angle : angles) smallest = std::min(smallest, angle.degrees);
+    return smallest;
+}
+
+SmallAngles2d protectSmallAngles(const PlanarDomain& domain, Boundary& boundary)
+{
+    return Protection(domain, boundary).run();
+}
+
+}  // namespace mesher
