@@ -33,6 +33,7 @@ public:
     {
         report_.options = command.options;
         report_.modelFile = command.model.string();
+        report_.versions = {{"mesher", MESHER_VERSION}};
     }
 
     ExitStatus run()

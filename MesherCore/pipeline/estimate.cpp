@@ -12,7 +12,7 @@ namespace {
 
 // An equilateral triangle of side h covers 0.433 h^2; Delaunay refinement uses triangles that are smaller on average.
 constexpr double kTriangleArea = std::numbers::sqrt3 / 4.0;
-constexpr double kRefinementSurplus = 1.6;
+constexpr double kRefinementSurplus = 1.2;
 constexpr double kTrianglesForBoundaryEdge = 6.0;
 constexpr double kBytesForTriangle = 260.0;  // triangulation, queues and the finished mesh
 constexpr double kTrianglesInSecond = 1.0e6;
