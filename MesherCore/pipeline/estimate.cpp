@@ -16,6 +16,7 @@ constexpr double kRefinementSurplus = 1.2;
 constexpr double kTrianglesForBoundaryEdge = 6.0;
 constexpr double kBytesForTriangle = 260.0;  // triangulation, queues and the finished mesh
 constexpr double kTrianglesInSecond = 1.0e6;
+constexpr double kUncertainty = 2.0;
 
 std::string rounded(double value)
 {
@@ -52,7 +53,7 @@ MeshEstimate estimatePlanar(const BrepModel& model, const MeshOptions& options)
 
 Result<void> checkAffordable(const MeshEstimate& estimate, const MeshOptions& options)
 {
-    if (estimate.elements <= static_cast<double>(options.maxElements)) return {};
+    if (estimate.elements <= kUncertainty * static_cast<double>(options.maxElements)) return {};
     return Error{ErrorCode::OutOfRange,
                  "about " + rounded(estimate.elements) + " elements and " + rounded(estimate.bytes / 1e9) +
                      " GB of memory would be needed, more than --max-elements " + std::to_string(options.maxElements),

@@ -19,7 +19,7 @@ struct MeshEstimate
 /// For the plane faces of a model: N = area / (0.433 h^2) where a size is asked for, never fewer than the boundary needs.
 [[nodiscard]] MeshEstimate estimatePlanar(const BrepModel& model, const MeshOptions& options);
 
-/// Refuses, with the estimate, what would need more elements than the options allow.
+/// Refuses, with the estimate, what would surely need more elements than the options allow.
 [[nodiscard]] Result<void> checkAffordable(const MeshEstimate& estimate, const MeshOptions& options);
 
 }  // namespace mesher
