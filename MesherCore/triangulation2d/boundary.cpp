@@ -16,13 +16,6 @@ std::optional<SplitPlace> placeAt(const PlanarDomain& domain, const Boundary& bo
     return result;
 }
 
-/// Exponent of the next shell for the subcurve at an apex: below that of its other end, if that lies on a shell.
-int nextShellExponent(const Boundary& boundary, SubcurveId s, SmallAngleId apex, BoundaryVertexId otherEnd)
-{
-    const BoundaryVertex& other = boundary.vertices[otherEnd];
-    return other.shell == apex ? other.shellExponent - 1 : firstShellExponent(boundary.edgeLength(s));
-}
-
 }  // namespace
 
 BoundaryVertexId Boundary::addPoint(const PlanarDomain& domain, PccPointId point)
@@ -59,13 +52,18 @@ Boundary::Halves Boundary::split(SubcurveId s, const SplitPlace& place)
     Halves halves;
     Subcurve first = subcurves[s];
     halves.vertex = addSample(place.place, first.curve, place.parameter, false);
-    vertices[halves.vertex].shell = place.shell;
-    vertices[halves.vertex].shellExponent = place.shellExponent;
+    vertices[halves.vertex].shell = place.wedge;
+    vertices[halves.vertex].shellRadius = place.radius;
     first.isQueued = false;
+    if (!place.wedge.isValid()) first.wedge = SmallAngleId();
     Subcurve last = first;
     first.last = last.first = halves.vertex;
     first.part.last = last.part.first = place.parameter;
-    first.lastApex = last.firstApex = SmallAngleId();
+    if (place.wedge.isValid()) {
+        const bool isFirstNear = first.nearEnd == CurveEnd::First;
+        (isFirstNear ? first : last).farRadius = place.radius;
+        (isFirstNear ? last : first).nearRadius = place.radius;
+    }
     subcurves[s].isAlive = false;
     --aliveCount_;
     halves.first = addSubcurve(first);
@@ -82,41 +80,29 @@ std::optional<SplitPlace> equalVariationPlace(const PlanarDomain& domain, const 
 }
 
 std::optional<SplitPlace> shellPlace(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s,
-                                     CurveEnd apexEnd, int exponent)
+                                     CurveEnd nearEnd, const Vec3& apex, double radius)
 {
-    constexpr int kSmallerShellsTried = 8;
     const Subcurve& subcurve = boundary.subcurves[s];
-    const bool isFirst = apexEnd == CurveEnd::First;
-    const BoundaryVertex& apex = boundary.vertices[isFirst ? subcurve.first : subcurve.last];
     if (boundary.edgeLength(s) < boundary.resolution) return std::nullopt;
-    for (int tried = 0; tried < kSmallerShellsTried; ++tried, --exponent) {
-        const double radius = std::ldexp(1.0, exponent) / domain.scale();
-        const DistanceCrossing crossing =
-            domain.variation(subcurve.curve).parameterAtDistance(apex.space, radius, subcurve.part, apexEnd);
-        if (!crossing.parameter || !crossing.isMonotone) continue;
-        auto result = placeAt(domain, boundary, s, *crossing.parameter);
-        if (!result) return result;
-        result->shell = isFirst ? subcurve.firstApex : subcurve.lastApex;
-        result->shellExponent = exponent;
-        return result;
-    }
-    return std::nullopt;
+    const DistanceCrossing crossing = domain.variation(subcurve.curve)
+                                          .parameterAtDistance(apex, radius / domain.scale(), subcurve.part, nearEnd);
+    if (!crossing.parameter || !crossing.isMonotone) return std::nullopt;
+    auto result = placeAt(domain, boundary, s, *crossing.parameter);
+    if (result) result->radius = radius;
+    return result;
 }
 
 std::optional<SplitPlace> splitPlace(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s)
 {
     const Subcurve& subcurve = boundary.subcurves[s];
-    std::optional<SplitPlace> result;
-    // With an apex at both ends the ordinary place separates them.
-    if (subcurve.firstApex.isValid() && !subcurve.lastApex.isValid()) {
-        const int exponent = nextShellExponent(boundary, s, subcurve.firstApex, subcurve.last);
-        result = shellPlace(domain, boundary, s, CurveEnd::First, exponent);
+    if (subcurve.wedge.isValid()) {
+        const double radius = 0.5 * (subcurve.nearRadius + subcurve.farRadius);
+        const Vec3& apex = boundary.apexes[subcurve.wedge.value];
+        auto result = shellPlace(domain, boundary, s, subcurve.nearEnd, apex, radius);
+        if (result) result->wedge = subcurve.wedge;
+        if (result) return result;
     }
-    else if (subcurve.lastApex.isValid() && !subcurve.firstApex.isValid()) {
-        const int exponent = nextShellExponent(boundary, s, subcurve.lastApex, subcurve.first);
-        result = shellPlace(domain, boundary, s, CurveEnd::Last, exponent);
-    }
-    return result ? result : equalVariationPlace(domain, boundary, s);
+    return equalVariationPlace(domain, boundary, s);
 }
 
 int firstShellExponent(double shortestEdge)

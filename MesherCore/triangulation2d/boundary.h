@@ -28,9 +28,9 @@ struct BoundaryVertex
     double parameter = 0.0;
     bool isCorner = false;  ///< points, and corners inside of a curve
     VertexId vertex;        ///< in the triangulation, once there is one
-    /// Valid for vertices on a shell around the apex of a small angle, of radius 2^shellExponent.
+    /// Valid for vertices on a shell, a circle around the apex of a small angle.
     SmallAngleId shell;
-    int shellExponent = 0;
+    double shellRadius = 0.0;
 };
 
 struct Subcurve
@@ -39,14 +39,14 @@ struct Subcurve
     Interval part;
     BoundaryVertexId first;
     BoundaryVertexId last;
-    /// Valid where that end is the apex of a small angle the subcurve takes part in.
-    SmallAngleId firstApex;
-    SmallAngleId lastApex;
+    /// Valid within the first shell around the apex of a small angle: both ends are at known distances from it.
+    SmallAngleId wedge;
+    CurveEnd nearEnd = CurveEnd::First;
+    double nearRadius = 0.0;
+    double farRadius = 0.0;
     bool isAlive = true;
     bool isQueued = false;   ///< for a split
     bool isRefused = false;  ///< it cannot be split any further
-
-    [[nodiscard]] bool isAtApex() const { return firstApex.isValid() || lastApex.isValid(); }
 };
 
 /// Where a subcurve will be split.
@@ -54,8 +54,8 @@ struct SplitPlace
 {
     double parameter = 0.0;
     PlanarPlace place;
-    SmallAngleId shell;
-    int shellExponent = 0;
+    SmallAngleId wedge;  ///< valid if it is on a shell
+    double radius = 0.0;
 };
 
 /// The discretised boundary: what the curves of the domain have been cut into so far.
@@ -87,6 +87,8 @@ public:
         SubcurveId last;
     };
     Halves split(SubcurveId s, const SplitPlace& place);
+    /// The apex of each small angle, in space.
+    std::vector<Vec3> apexes;
 
 private:
     std::size_t aliveCount_ = 0;
@@ -96,12 +98,13 @@ private:
 /// Nothing if the subcurve is too short to be split.
 [[nodiscard]] std::optional<SplitPlace> equalVariationPlace(const PlanarDomain& domain, const Boundary& boundary,
                                                             SubcurveId s);
-/// Where the subcurve leaves the ball of radius 2^exponent around its end, the apex of a small angle.
+/// Where the subcurve meets the shell of that radius around the apex of a small angle, one of its ends or beyond it.
 [[nodiscard]] std::optional<SplitPlace> shellPlace(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s,
-                                                   CurveEnd apexEnd, int exponent);
-/// The place at which the subcurve is to be split: on the next smaller shell at the apex of a small angle, else the
-/// ordinary one. Nothing if it is too short.
-/// Reference    thesis sections 2.4.2 and 2.5
+                                                   CurveEnd nearEnd, const Vec3& apex, double radius);
+/// The place at which the subcurve is to be split: beside a small angle halfway between the shells of its ends, which at the
+/// apex is the next smaller power of two; else the ordinary one. Nothing if it is too short.
+/// Reference    thesis sections 2.4.2 and 2.5. Splitting between shells by distance from the apex, too, is our addition: the
+///              curves of a small angle then have vertices at equal distances, as [miller2003] requires of segments
 [[nodiscard]] std::optional<SplitPlace> splitPlace(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s);
 
 /// Largest power of two not above two thirds of a length: the first shell.

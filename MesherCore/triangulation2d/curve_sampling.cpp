@@ -82,7 +82,12 @@ private:
                 const BoundaryVertexId next = t == curve.part.last
                                                   ? pointVertices_[curve.last.value]
                                                   : boundary_.addSample(domain_.place(id, t), id, t, isEnd);
-                boundary_.addSubcurve({id, {start, t}, previous, next, {}, {}, true, false, false});
+                Subcurve subcurve;
+                subcurve.curve = id;
+                subcurve.part = {start, t};
+                subcurve.first = previous;
+                subcurve.last = next;
+                boundary_.addSubcurve(subcurve);
                 previous = next;
                 start = t;
             }

@@ -61,6 +61,15 @@ private:
     std::vector<CurveEndAt> ends_;
 };
 
+/// The complexes a subcurve takes part in, at either end.
+struct Enrolment
+{
+    SmallAngleId first;
+    SmallAngleId last;
+
+    [[nodiscard]] SmallAngleId only() const { return first.isValid() ? first : last; }
+};
+
 class Protection
 {
 public:
@@ -75,6 +84,7 @@ public:
             std::vector<CurveEndAt> ends = endsByVertex.at(BoundaryVertexId(i));
             if (ends.size() >= 2) findComplexes(BoundaryVertexId(i), ends);
         }
+        enrolments_.resize(boundary_.subcurves.size());
         splitBetweenApexes();
         cutAtShells();
         return std::move(result_);
@@ -147,54 +157,67 @@ private:
 
     void enrol(const CurveEndAt& end, SmallAngleId complex)
     {
-        Subcurve& subcurve = boundary_.subcurves[end.subcurve];
-        (end.end == CurveEnd::First ? subcurve.firstApex : subcurve.lastApex) = complex;
+        enrolments_.resize(boundary_.subcurves.size());
+        Enrolment& enrolment = enrolments_[end.subcurve.value];
+        (end.end == CurveEnd::First ? enrolment.first : enrolment.last) = complex;
     }
 
+    /// A subcurve between two apexes is split at its ordinary place; either half then has one.
     void splitBetweenApexes()
     {
-        const std::size_t count = boundary_.subcurves.size();
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const Subcurve& subcurve = boundary_.subcurves[SubcurveId(i)];
-            if (!subcurve.isAlive || !subcurve.firstApex.isValid() || !subcurve.lastApex.isValid()) continue;
+        for (std::uint32_t i = 0; i < enrolments_.size(); ++i) {
+            const Enrolment whole = enrolments_[i];
+            if (!whole.first.isValid() || !whole.last.isValid()) continue;
             const auto place = equalVariationPlace(domain_, boundary_, SubcurveId(i));
             if (!place) {
-                ++result_.unprotected;
+                result_.unprotected += 2;
+                enrolments_[i] = {};
                 continue;
             }
-            boundary_.split(SubcurveId(i), *place);
+            const Boundary::Halves halves = boundary_.split(SubcurveId(i), *place);
             ++result_.splits;
+            enrolments_.resize(boundary_.subcurves.size());
+            enrolments_[i] = {};
+            enrolments_[halves.first.value].first = whole.first;
+            enrolments_[halves.last.value].last = whole.last;
         }
     }
 
     void cutAtShells()
     {
         IdVector<SmallAngleId, double> shortest(result_.complexes.size(), std::numeric_limits<double>::infinity());
-        const std::size_t count = boundary_.subcurves.size();
-        const auto apexOf = [&](SubcurveId s) {
-            const Subcurve& subcurve = boundary_.subcurves[s];
-            return subcurve.isAlive ? (subcurve.firstApex.isValid() ? subcurve.firstApex : subcurve.lastApex)
-                                    : SmallAngleId();
-        };
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const SmallAngleId apex = apexOf(SubcurveId(i));
-            if (apex.isValid()) shortest[apex] = std::min(shortest[apex], boundary_.edgeLength(SubcurveId(i)));
+        for (std::uint32_t i = 0; i < enrolments_.size(); ++i) {
+            const SmallAngleId complex = enrolments_[i].only();
+            if (complex.isValid()) shortest[complex] = std::min(shortest[complex], boundary_.edgeLength(SubcurveId(i)));
         }
         for (std::uint32_t i = 0; i < result_.complexes.size(); ++i) {
-            result_.complexes[SmallAngleId(i)].firstShell = firstShellExponent(shortest[SmallAngleId(i)]);
+            SmallAngleComplex& complex = result_.complexes[SmallAngleId(i)];
+            complex.firstShell = firstShellExponent(shortest[SmallAngleId(i)]);
+            boundary_.apexes.push_back(boundary_.vertices[complex.apex].space);
         }
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const SubcurveId s(i);
-            const SmallAngleId apex = apexOf(s);
-            if (!apex.isValid()) continue;
-            const CurveEnd end = boundary_.subcurves[s].firstApex.isValid() ? CurveEnd::First : CurveEnd::Last;
-            const int exponent = result_.complexes[apex].firstShell;
-            const auto place = shellPlace(domain_, boundary_, s, end, exponent);
-            if (!place || place->shellExponent != exponent) ++result_.unprotected;
-            if (!place) continue;
-            boundary_.split(s, *place);
-            ++result_.splits;
+        for (std::uint32_t i = 0; i < enrolments_.size(); ++i) {
+            if (enrolments_[i].only().isValid()) cutAtShell(SubcurveId(i), enrolments_[i]);
         }
+    }
+
+    void cutAtShell(SubcurveId s, const Enrolment& enrolment)
+    {
+        const SmallAngleId complex = enrolment.only();
+        const CurveEnd end = enrolment.first.isValid() ? CurveEnd::First : CurveEnd::Last;
+        const double radius = std::ldexp(1.0, result_.complexes[complex].firstShell);
+        auto place = shellPlace(domain_, boundary_, s, end, boundary_.apexes[complex.value], radius);
+        if (!place) {
+            ++result_.unprotected;
+            return;
+        }
+        Subcurve& subcurve = boundary_.subcurves[s];
+        subcurve.nearEnd = end;
+        subcurve.wedge = complex;
+        place->wedge = complex;
+        const Boundary::Halves halves = boundary_.split(s, *place);
+        // Beyond the first shell the curves go their own ways.
+        boundary_.subcurves[end == CurveEnd::First ? halves.last : halves.first].wedge = SmallAngleId();
+        ++result_.splits;
     }
 
     // Hexagonal figures have angles of 60 degrees up to rounding, which are not small.
@@ -203,6 +226,7 @@ private:
     const PlanarDomain& domain_;
     Boundary& boundary_;
     SmallAngles2d result_;
+    std::vector<Enrolment> enrolments_;  // by subcurve
 };
 
 }  // namespace

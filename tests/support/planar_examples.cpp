@@ -117,7 +117,7 @@ PlanarCurveComplex splineCavity()
     const Vec2 first[] = {{1.0, 0.9}, {2.2, 0.5}, {3.1, 0.9}};
     const Vec2 second[] = {{3.6, 1.0}, {4.4, 1.9}};
     const Vec2 third[] = {{3.9, 2.2}, {2.8, 2.9}, {1.9, 2.6}};
-    const Vec2 fourth[] = {{1.0, 2.2}, {0.2, 1.4}, {0.55, 0.7}};
+    const Vec2 fourth[] = {{1.0, 2.3}, {0.2, 1.4}, {0.25, 0.6}};
     builder.spline(corners[0], first, corners[1]);
     builder.spline(corners[1], second, corners[2]);
     builder.spline(corners[2], third, corners[3]);
@@ -132,7 +132,7 @@ PlanarCurveComplex smallAngleFan()
     addRectangle(builder, {-2.0, -2.0}, {2.0, 2.0});
     const PccPointId apex = builder.point({0.0, 0.0});
     const PlanarBuilder::Sides inside{1, 1};
-    const double gaps[] = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0, 45.0};
+    const double gaps[] = {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0, 45.0};
     double angle = 10.0;
     int index = 0;
     for (const double gap : gaps) {
