@@ -48,6 +48,7 @@ struct BrepCoedge
     BrepEdgeId edge;
     bool isReversed = false;  ///< the loop runs against the edge's parameter
     std::shared_ptr<const ParameterCurve> parameterCurve;
+    double gap = 0.0;  ///< largest sampled distance between the edge's curve and its lift from the face, model units
 };
 
 struct BrepLoop
@@ -62,7 +63,8 @@ enum class TrimSide : std::uint8_t
     Outside
 };
 
-/// Tells whether parameters lie inside the loops of a face. Threads: one object per thread, made by clone().
+/// Tells whether parameters, or an image of them by the surface's periods, lie inside the loops of a face.
+/// Threads: one object per thread, made by clone().
 class TrimClassifier
 {
 public:

@@ -294,11 +294,13 @@ Result<CheckCommand> parseCheckCommand(std::span<const std::string> arguments)
 
 Result<InfoCommand> parseInfoCommand(std::span<const std::string> arguments)
 {
-    const Result<po::variables_map> found = parse(arguments, {});
+    po::options_description options;
+    options.add_options()("json", po::bool_switch());
+    const Result<po::variables_map> found = parse(arguments, options);
     if (!found) return found.error();
     const Result<std::filesystem::path> model = onlyInput(found.value(), "model");
     if (!model) return model.error();
-    return InfoCommand{model.value()};
+    return InfoCommand{model.value(), found.value()["json"].as<bool>()};
 }
 
 Result<DrawCommand> parseDrawCommand(std::span<const std::string> arguments)
@@ -325,7 +327,7 @@ std::string usageText()
     std::ostringstream text;
     text << "mesher: Delaunay meshes of CAD models\n\n"
             "  mesher mesh MODEL -o FILE [-o FILE …] [options]   mesh a model (STEP, IGES, BREP)\n"
-            "  mesher info MODEL                                 what the model is made of\n"
+            "  mesher info MODEL [--json]                        what the model is made of\n"
             "  mesher check MESH [--model MODEL] [--report FILE] check a mesh (.msh, .vtu) independently\n"
             "  mesher estimate MODEL [options]                   elements, memory and time before meshing\n"
             "  mesher draw MESH -o PICTURE.png [--width PIXELS]  picture of a mesh\n"

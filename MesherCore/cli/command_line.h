@@ -40,6 +40,7 @@ struct CheckCommand
 struct InfoCommand
 {
     std::filesystem::path model;
+    bool isJson = false;
 };
 
 struct DrawCommand

@@ -1,14 +1,16 @@
 #include "brep/occt/read_model.h"
+#include "brep/planar_domain.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "io/mesh_reader.h"
 #include "io/mesh_writer.h"
 #include "io/write_curved_boundary.h"
 #include "io/write_text_file.h"
 #include "pipeline/estimate.h"
 #include "pipeline/mesh_planar.h"
 #include "pipeline/planar_area.h"
-#include "pipeline/plane_faces.h"
+#include "sizing/background_size.h"
 
 #include <chrono>
 #include <iomanip>
@@ -39,7 +41,7 @@ public:
     ExitStatus run()
     {
         if (const std::optional<ExitStatus> refused = probeTargets()) return *refused;
-        const bool isDone = readModelFile() && checkBeforehand() && mesh() && writeOutputs();
+        const bool isDone = readModelFile() && readBackground() && checkBeforehand() && mesh() && writeOutputs();
         progress_.clear();
         finishStatus();
         writeReport();
@@ -108,6 +110,39 @@ private:
         return true;
     }
 
+    /// A mesh with one number at each node: the size.
+    bool readBackground()
+    {
+        const std::string& path = command_.options.background;
+        if (path.empty()) return true;
+        Result<MeshFile> file = readMesh(path);
+        if (!file) {
+            fail(file.error());
+            return false;
+        }
+        if (file->fields.empty()) {
+            fail({ErrorCode::Unreadable, "has no number at its nodes to take as the size", path, {},
+                  "add a nodal field to the mesh"});
+            return false;
+        }
+        BackgroundMesh background;
+        for (const MeshNode& node : file->mesh.nodes) background.nodes.push_back(node.position);
+        background.sizes = std::move(file->fields.front().values);
+        for (const auto& [node, entity] : file->mesh.triangles) {
+            background.triangles.push_back({node[0].value, node[1].value, node[2].value});
+        }
+        for (const auto& [node, entity] : file->mesh.tets) {
+            background.tets.push_back({node[0].value, node[1].value, node[2].value, node[3].value});
+        }
+        Result<std::shared_ptr<const BackgroundSize>> sizes = BackgroundSize::make(std::move(background));
+        if (!sizes) {
+            fail(sizes.error());
+            return false;
+        }
+        background_ = std::move(sizes).value();
+        return true;
+    }
+
     bool checkBeforehand()
     {
         if (command_.options.dimension == 3) {
@@ -123,12 +158,15 @@ private:
 
     bool mesh()
     {
-        const Result<PlanarCurveComplex> complex = complexOfPlaneFaces(model_);
+        std::vector<BrepFaceId> faces;
+        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) faces.push_back(BrepFaceId(i));
+        const Result<PlanarCurveComplex> complex = planarCurveComplex(model_, faces);
         if (!complex) {
             fail(complex.error());
             return false;
         }
-        PlanarMeshOutcome outcome = meshPlanar(complex.value(), command_.options, command_.boundaryOrder, context_);
+        PlanarMeshOutcome outcome =
+            meshPlanar(complex.value(), command_.options, background_, command_.boundaryOrder, context_);
         takeReport(std::move(outcome.report));
         result_ = std::move(outcome.result);
         if (result_) result_->mesh.title = command_.model.filename().string();
@@ -210,6 +248,7 @@ private:
     InterruptScope interrupt_;
     MeshReport report_;
     BrepModel model_;
+    std::shared_ptr<const SizingField> background_;
     std::optional<PlanarMesh> result_;
     ExitStatus status_ = ExitStatus::Done;
 };

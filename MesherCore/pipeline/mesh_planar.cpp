@@ -1,7 +1,7 @@
 #include "pipeline/mesh_planar.h"
 
 #include "mesh/mesh_check.h"
-#include "sizing/uniform_size.h"
+#include "pipeline/planar_sizes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,14 +22,9 @@ void fail(MeshReport& report, Error error)
 /// What plane meshes do not do yet is refused, not passed over.
 Result<void> checkSupported(const MeshOptions& options)
 {
-    const auto refuse = [](const char* option) {
-        return Error{ErrorCode::InvalidArgument, "is not yet there for plane meshes", option, {}, "leave the option out"};
-    };
-    if (options.order != 1) return refuse("--order 2");
-    if (!options.localSizes.empty()) return refuse("--local-size");
-    if (options.curvature != 0.0) return refuse("--curvature");
-    if (options.sag != 0.0) return refuse("--sag");
-    if (!options.background.empty()) return refuse("--background");
+    if (options.order != 1) {
+        return Error{ErrorCode::InvalidArgument, "is not yet there for plane meshes", "--order 2", {}, "leave the option out"};
+    }
     return {};
 }
 
@@ -105,8 +100,8 @@ PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* fie
     return planar;
 }
 
-PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options, int boundaryOrder,
-                             RunContext& context)
+PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
+                             std::shared_ptr<const SizingField> background, int boundaryOrder, RunContext& context)
 {
     PlanarMeshOutcome outcome;
     MeshReport& report = outcome.report;
@@ -118,9 +113,12 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
         fail(report, possible.error());
         return outcome;
     }
-    std::optional<UniformSize> uniform;
-    if (options.size) uniform.emplace(*options.size);
-    const PlanarOptions planar = planarOptionsOf(options, uniform ? &*uniform : nullptr);
+    const Result<std::shared_ptr<const SizingField>> sizes = planarSizes(complex, options, std::move(background));
+    if (!sizes) {
+        fail(report, sizes.error());
+        return outcome;
+    }
+    const PlanarOptions planar = planarOptionsOf(options, sizes.value().get());
     const Result<PlanarResult> result = triangulatePlanar(complex, planar, context);
     if (!result) {
         fail(report, result.error());

@@ -8,6 +8,7 @@
 #include "sizing/sizing_field.h"
 #include "triangulation2d/triangulate_planar.h"
 
+#include <memory>
 #include <optional>
 
 namespace mesher {
@@ -21,11 +22,12 @@ struct PlanarMeshOutcome
 
 /// Meshes the regions of a plane domain: samples, enriches, triangulates, refines, classifies and reports.
 /// Guarantees   those of triangulatePlanar; the report says why there is no mesh, or not the whole one
-/// Refuses      options out of range; what plane meshes do not do yet: size fields on single entities, from curvature, sag or
-///              a background mesh, and elements of second order
+/// Requires     `background`: the sizes of options.background, or none
+/// Refuses      options out of range; what planarSizes refuses; elements of second order, which are not there yet
 /// Terminates   see PlanarOptions; the limits on elements and time of the options hold
 [[nodiscard]] PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
-                                           int boundaryOrder, RunContext& context);
+                                           std::shared_ptr<const SizingField> background, int boundaryOrder,
+                                           RunContext& context);
 
 /// The options of triangulatePlanar that these stand for; `field` must outlive the run.
 [[nodiscard]] PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* field);

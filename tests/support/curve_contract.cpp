@@ -60,7 +60,7 @@ private:
     void tryDerivatives(double t)
     {
         const CurvePoint p = curve_.evaluate(t);
-        if (length(p.position - curve_.position(t)) > 1e-13 * size_) complain("position is not evaluate, t=", t);
+        if (length(p.position - curve_.position(t)) > 1e-12 * size_) complain("position is not evaluate, t=", t);
         double best1 = INFINITY, best2 = INFINITY;
         for (double share = 1e-2; share > 1e-6; share *= 0.25) {
             const double h = share * part_.length();
@@ -121,7 +121,9 @@ private:
         // The samples miss what turns between them, so they can prove too little only up to their own error.
         const double tv = turning_.totalVariation();
         if (turn > tv + 1e-6 * (1.0 + tv)) complain("variation ", tv, " is less than that of the samples, ", turn);
-        if (tv > turn + 1e-3 * (1.0 + turn)) complain("variation ", tv, " is more than that of the samples, ", turn);
+        // Around a corner the turns of one step may cancel.
+        const double slack = 1e-3 * (1.0 + turn) + 5e-3 * static_cast<double>(turning_.corners().size());
+        if (tv > turn + slack) complain("variation ", tv, " is more than that of the samples, ", turn);
         if (std::abs(arc - turning_.totalLength()) > 1e-4 * arc + 1e-12 * size_) {
             complain("arc length ", turning_.totalLength(), " is not that of the samples, ", arc);
         }
@@ -140,7 +142,8 @@ private:
         if (std::abs(left - right) > jump + 1e-8 * (1.0 + total)) complain("a split halves ", total, " into ", left, " and ", right);
         if (total > 0.0) return;
         const double leftLength = turning_.arcLength(a, m), rightLength = turning_.arcLength(m, b);
-        if (std::abs(leftLength - rightLength) > 1e-9 * (leftLength + rightLength)) {
+        const double ulp = 4e-16 * std::max(std::abs(a), std::abs(b)) * turning_.totalLength() / part_.length();
+        if (std::abs(leftLength - rightLength) > 1e-9 * (leftLength + rightLength) + 4.0 * ulp) {
             complain("a straight split is not in the middle");
         }
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace mesher::test {
@@ -166,12 +167,12 @@ private:
         return sides;
     }
 
-    static double distanceTo(const std::pair<Vec2, Vec2>& side, Vec2 p)
+    static Vec2 closestOn(const std::pair<Vec2, Vec2>& side, Vec2 p)
     {
         const Vec2 d = side.second - side.first;
         const double size2 = squaredLength(d);
         const double t = size2 > 0.0 ? std::clamp(dot(p - side.first, d) / size2, 0.0, 1.0) : 0.0;
-        return length(side.first + t * d - p);
+        return side.first + t * d;
     }
 
     void tryTrim(BrepFaceId id)
@@ -182,27 +183,62 @@ private:
             if (std::any_of(loop.coedges.begin(), loop.coedges.end(), hasNone)) return;
         }
         const auto sides = polygonOf(face);
+        double tolerance = 10.0 * face.tolerance + 1e-9 * size_;
+        for (const BrepLoop& loop : face.loops) {
+            for (const BrepCoedge& coedge : loop.coedges) {
+                // The trim may know a parameter curve on the other side of the edge than the one that replaced it.
+                tolerance = std::max({tolerance, 4.0 * model_.edges[coedge.edge].tolerance, 4.0 * coedge.gap});
+            }
+        }
         Random random(40);
         const std::unique_ptr<TrimClassifier> copy = face.trim->clone();
         for (int i = 0; i < 40; ++i) {
-            const Vec2 p{random.unit(), random.unit()};
-            bool isInside = false;
-            double nearest = INFINITY;
-            for (const auto& side : sides) {
-                nearest = std::min(nearest, distanceTo(side, p));
-                const bool spans = (side.first.y > p.y) != (side.second.y > p.y);
-                if (!spans) continue;
-                const double share = (p.y - side.first.y) / (side.second.y - side.first.y);
-                if (side.first.x + share * (side.second.x - side.first.x) > p.x) isInside = !isInside;
-            }
-            const Vec2 uv{face.boundsU.at(p.x), face.boundsV.at(p.y)};
+            const Vec2 uv{face.boundsU.at(random.unit()), face.boundsV.at(random.unit())};
             const TrimSide side = face.trim->classify(uv);
             if (copy->classify(uv) != side) complain(id, "a copy of the trim disagrees at ", uv.x, " ", uv.y);
-            if (nearest < 5e-3) continue;
-            if (side != (isInside ? TrimSide::Inside : TrimSide::Outside)) {
-                complain(id, "the trim calls ", uv.x, " ", uv.y, isInside ? " outside" : " inside", " against its loops");
+            const std::optional<bool> isInside = parity(face, sides, uv, tolerance);
+            if (isInside && side != (*isInside ? TrimSide::Inside : TrimSide::Outside)) {
+                complain(id, "the trim calls ", uv.x, " ", uv.y, *isInside ? " outside" : " inside", " against its loops");
             }
         }
+    }
+
+    /// Is the point inside of the loops, itself or an image of it by a period? Nothing if it is too near to one to tell.
+    std::optional<bool> parity(const BrepFace& face, const std::vector<std::pair<Vec2, Vec2>>& sides, Vec2 uv,
+                               double tolerance) const
+    {
+        const double periodU = face.surface->periodU(), periodV = face.surface->periodV();
+        const int turnsU = periodU > 0.0 ? 1 + static_cast<int>(face.boundsU.length() / periodU) : 0;
+        const int turnsV = periodV > 0.0 ? 1 + static_cast<int>(face.boundsV.length() / periodV) : 0;
+        bool isInside = false;
+        for (int i = -turnsU; i <= turnsU; ++i) {
+            for (int j = -turnsV; j <= turnsV; ++j) {
+                const Vec2 image{uv.x + i * periodU, uv.y + j * periodV};
+                const std::optional<bool> here = parityOfImage(face, sides, image, tolerance);
+                if (!here) return {};
+                isInside = isInside || *here;
+            }
+        }
+        return isInside;
+    }
+
+    static std::optional<bool> parityOfImage(const BrepFace& face, const std::vector<std::pair<Vec2, Vec2>>& sides,
+                                             Vec2 uv, double tolerance)
+    {
+        const Vec2 p{(uv.x - face.boundsU.first) / face.boundsU.length(), (uv.y - face.boundsV.first) / face.boundsV.length()};
+        const Vec3 position = face.surface->position(uv);
+        bool isInside = false;
+        for (const auto& side : sides) {
+            const Vec2 q = closestOn(side, p);
+            if (length(q - p) < 5e-3) return {};
+            const Vec3 onSide = face.surface->position({face.boundsU.at(q.x), face.boundsV.at(q.y)});
+            if (length(onSide - position) < tolerance) return {};
+            const bool spans = (side.first.y > p.y) != (side.second.y > p.y);
+            if (!spans) continue;
+            const double share = (p.y - side.first.y) / (side.second.y - side.first.y);
+            if (side.first.x + share * (side.second.x - side.first.x) > p.x) isInside = !isInside;
+        }
+        return isInside;
     }
 
     const BrepModel& model_;

@@ -85,7 +85,7 @@ private:
 
     void tryDerivatives(Vec2 uv)
     {
-        if (length(surface_.evaluate(uv).position - surface_.position(uv)) > 1e-13 * size_) {
+        if (length(surface_.evaluate(uv).position - surface_.position(uv)) > 1e-12 * size_) {
             complain("position is not evaluate at ", uv.x, " ", uv.y);
         }
         compareWithDifferences(uv, true);

@@ -3,6 +3,8 @@
 #include "brep/brep_model.h"
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace mesher {
 
@@ -60,6 +62,31 @@ public:
 private:
     std::unique_ptr<Curve> curve_;
     PlaneFrame frame_;
+};
+
+/// The points of a curve projected on a surface it lies on, from the seeds that a rough parameter curve gives.
+class ProjectedParameterCurve final : public ParameterCurve
+{
+public:
+    ProjectedParameterCurve(std::unique_ptr<Curve> curve, std::unique_ptr<Surface> surface,
+                            std::unique_ptr<ParameterCurve> rough)
+        : curve_(std::move(curve)), surface_(std::move(surface)), rough_(std::move(rough))
+    {
+    }
+
+    [[nodiscard]] Vec2 position(double t) const override
+    {
+        return surface_->project(curve_->position(t), rough_->position(t)).parameters;
+    }
+    [[nodiscard]] std::unique_ptr<ParameterCurve> clone() const override
+    {
+        return std::make_unique<ProjectedParameterCurve>(curve_->clone(), surface_->clone(), rough_->clone());
+    }
+
+private:
+    std::unique_ptr<Curve> curve_;
+    std::unique_ptr<Surface> surface_;
+    std::unique_ptr<ParameterCurve> rough_;
 };
 
 }  // namespace mesher

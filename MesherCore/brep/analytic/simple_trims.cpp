@@ -1,5 +1,7 @@
 #include "brep/analytic/simple_trims.h"
 
+#include "brep/analytic/periodic.h"
+
 #include <algorithm>
 
 namespace mesher {
@@ -22,7 +24,9 @@ TrimSide sideOf(double value, Interval range, double tolerance)
 TrimSide RectangleTrim::classify(Vec2 uv) const
 {
     // The enumerators go from inside to outside.
-    return std::max(sideOf(uv.x, u_, tolerance_.x), sideOf(uv.y, v_, tolerance_.y));
+    const double u = periods_.x > 0.0 ? wrapInto(uv.x, u_.first - tolerance_.x, periods_.x) : uv.x;
+    const double v = periods_.y > 0.0 ? wrapInto(uv.y, v_.first - tolerance_.y, periods_.y) : uv.y;
+    return std::max(sideOf(u, u_, tolerance_.x), sideOf(v, v_, tolerance_.y));
 }
 
 TrimSide DiskTrim::classify(Vec2 uv) const

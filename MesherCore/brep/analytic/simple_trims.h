@@ -4,12 +4,15 @@
 
 namespace mesher {
 
-/// A rectangle of parameters; a direction as long as the surface's period has only its seam as a border.
+/// A rectangle of parameters of a surface with these periods, 0 where there is none. A seam is a border.
 class RectangleTrim final : public TrimClassifier
 {
 public:
     /// Tolerances are in units of the parameters.
-    RectangleTrim(Interval u, Interval v, Vec2 tolerance) : u_(u), v_(v), tolerance_(tolerance) {}
+    RectangleTrim(Interval u, Interval v, Vec2 tolerance, Vec2 periods)
+        : u_(u), v_(v), tolerance_(tolerance), periods_(periods)
+    {
+    }
 
     [[nodiscard]] TrimSide classify(Vec2 uv) const override;
     [[nodiscard]] std::unique_ptr<TrimClassifier> clone() const override
@@ -21,6 +24,7 @@ private:
     Interval u_;
     Interval v_;
     Vec2 tolerance_;
+    Vec2 periods_;
 };
 
 /// A disk around the origin of a plane's parameters.

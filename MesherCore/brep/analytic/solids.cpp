@@ -47,7 +47,7 @@ std::shared_ptr<const Curve> segment(const Vec3& a, const Vec3& b)
 
 BrepCoedge use(BrepEdgeId edge, bool isReversed, Vec2 start, Vec2 direction)
 {
-    return {edge, isReversed, std::make_shared<LineParameterCurve>(start, direction)};
+    return {edge, isReversed, std::make_shared<LineParameterCurve>(start, direction), 0.0};
 }
 
 /// A face over a rectangle of parameters whose sides are bottom, right, top (reversed) and left (reversed).
@@ -58,7 +58,8 @@ BrepFaceId addRoundFace(BrepModel& model, std::shared_ptr<const Surface> surface
     face.loops.push_back(std::move(loop));
     face.boundsU = {0.0, kTurn};
     face.boundsV = v;
-    face.trim = std::make_shared<RectangleTrim>(face.boundsU, v, Vec2{1e-9, 1e-9 * (1.0 + v.length())});
+    const Vec2 periods{face.surface->periodU(), face.surface->periodV()};
+    face.trim = std::make_shared<RectangleTrim>(face.boundsU, v, Vec2{1e-9, 1e-9 * (1.0 + v.length())}, periods);
     face.tolerance = kTolerance;
     return model.faces.push_back(std::move(face));
 }
@@ -69,7 +70,7 @@ BrepFaceId addDisk(BrepModel& model, const Axes& axes, double height, double rad
     if (!isTop) frame = {frame.origin, axes.x, -1.0 * axes.y, -1.0 * axes.z};
     BrepFace face;
     face.surface = std::make_shared<PlaneSurface>(frame);
-    face.loops.push_back({{{edge, !isTop, std::make_shared<CircleParameterCurve>(radius, !isTop)}}});
+    face.loops.push_back({{{edge, !isTop, std::make_shared<CircleParameterCurve>(radius, !isTop), 0.0}}});
     face.boundsU = face.boundsV = {-radius, radius};
     face.trim = std::make_shared<DiskTrim>(radius, 1e-9 * radius);
     face.tolerance = kTolerance;
@@ -153,7 +154,7 @@ void addBoxFace(BrepModel& model, const std::array<Vec3, 2>& corners, std::size_
                            use(edgeAlong(y, x, false), true, {0.0, 0.0}, {0.0, 1.0})}});
     face.boundsU = {0.0, width};
     face.boundsV = {0.0, depth};
-    face.trim = std::make_shared<RectangleTrim>(face.boundsU, face.boundsV, Vec2{1e-9 * width, 1e-9 * depth});
+    face.trim = std::make_shared<RectangleTrim>(face.boundsU, face.boundsV, Vec2{1e-9 * width, 1e-9 * depth}, Vec2{});
     face.tolerance = kTolerance;
     model.faces.push_back(std::move(face));
 }

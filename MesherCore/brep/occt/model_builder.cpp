@@ -192,9 +192,9 @@ private:
                 result.embeddedEdges.push_back(id);
                 continue;
             }
-            BrepCoedge coedge{id, edge.Orientation() == TopAbs_REVERSED, parameterCurve(edge, face, id, result)};
+            BrepCoedge coedge{id, edge.Orientation() == TopAbs_REVERSED, parameterCurve(edge, face, id, result), 0.0};
             if (!coedge.parameterCurve) return broken(name, nameOf(id) + " has no parameter curve on it");
-            noteLift(coedge, result, name);
+            fitToEdge(coedge, result, name);
             coedges.push_back(std::move(coedge));
         }
         return coedges;
@@ -215,20 +215,41 @@ private:
         return makeParameterCurve(geometry, {first, last}, own.part);
     }
 
-    void noteLift(const BrepCoedge& coedge, const BrepFace& face, const std::string& name)
+    /// Largest distance between the edge and its lift by the parameter curve.
+    double measureGap(const BrepEdge& edge, const ParameterCurve& parameterCurve, const Surface& surface) const
     {
         constexpr int kSamples = 16;
-        const BrepEdge& edge = model_.edges[coedge.edge];
         double gap = 0.0;
         for (int i = 0; i <= kSamples; ++i) {
             const double t = edge.part.at(static_cast<double>(i) / kSamples);
-            const Vec3 lifted = face.surface->position(coedge.parameterCurve->position(t));
             const Vec3 exact = edge.isDegenerate ? model_.vertices[edge.first].position : edge.curve->position(t);
-            gap = std::max(gap, length(lifted - exact));
+            gap = std::max(gap, length(surface.position(parameterCurve.position(t)) - exact));
         }
+        return gap;
+    }
+
+    /// Measures the coedge's gap; where its parameter curve runs beside the edge or ahead of it, points of the edge projected
+    /// on the surface take its place if they are nearer.
+    void fitToEdge(BrepCoedge& coedge, const BrepFace& face, const std::string& name)
+    {
+        const BrepEdge& edge = model_.edges[coedge.edge];
+        coedge.gap = measureGap(edge, *coedge.parameterCurve, *face.surface);
         double allowed = std::max(edge.tolerance, face.tolerance);
         if (edge.isDegenerate) allowed = std::max(allowed, model_.vertices[edge.first].tolerance);
-        if (gap > allowed) note(nameOf(coedge.edge), "lies up to " + shortNumber(gap) + " off " + name);
+        if (coedge.gap > Precision::Confusion() && edge.curve) {
+            auto fitted = std::make_shared<ProjectedParameterCurve>(edge.curve->clone(), face.surface->clone(),
+                                                                    coedge.parameterCurve->clone());
+            const double fittedGap = measureGap(edge, *fitted, *face.surface);
+            if (fittedGap < 0.5 * coedge.gap) {
+                if (coedge.gap > allowed) {
+                    note(nameOf(coedge.edge), "has a parameter curve " + shortNumber(coedge.gap) + " off on " + name +
+                                                  ", replaced by projection");
+                }
+                coedge.parameterCurve = std::move(fitted);
+                coedge.gap = fittedGap;
+            }
+        }
+        if (coedge.gap > allowed) note(nameOf(coedge.edge), "lies up to " + shortNumber(coedge.gap) + " off " + name);
     }
 
     BrepShell makeShell(const TopoDS_Shape& shell) const
@@ -265,7 +286,7 @@ private:
     void addBox()
     {
         Bnd_Box box;
-        BRepBndLib::Add(shape_, box, false);
+        BRepBndLib::AddOptimal(shape_, box, false, false);
         if (box.IsVoid()) return;
         box.SetGap(0.0);
         model_.box.include(toVec(box.CornerMin()));

@@ -23,8 +23,9 @@ template <class Step>
     }
 }
 
-/// Keeps OCCT's messages from the terminal while it lives. OCCT has one messenger per process, and its readers keep
-/// settings there too, so that only one of these lives at a time: another thread waits.
+/// Keeps OCCT's messages from the terminal while it lives: those to its messenger and those that old code writes to std::cout.
+/// Both exist once per process, and its readers keep settings there too, so that only one of these lives at a time: another
+/// thread waits.
 class OcctSilence
 {
 public:

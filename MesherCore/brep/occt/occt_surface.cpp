@@ -107,10 +107,10 @@ public:
     SurfaceProjection project(const Vec3& point, std::optional<Vec2> seed) const override
     {
         if (seed) return projectFromSeed(*this, point, *seed, rangeU_, rangeV_);
-        const Interval searchU = searchWindow(rangeU_, windowU_, periodU_);
-        const Interval searchV = searchWindow(rangeV_, windowV_, periodV_);
-        if (!grid_) grid_ = std::make_shared<const SurfaceGrid>(*this, searchU, searchV);
-        SurfaceProjection found = grid_->project(*this, point);
+        if (!grids_) grids_ = std::make_shared<const Grids>(makeGrids());
+        SurfaceProjection found = grids_->face.project(*this, point);
+        const SurfaceProjection elsewhere = grids_->whole.project(*this, point);
+        if (elsewhere.distance < found.distance) found = elsewhere;
         if (periodU_ > 0.0) found.parameters.x = wrapInto(found.parameters.x, rangeU_.first, periodU_);
         if (periodV_ > 0.0) found.parameters.y = wrapInto(found.parameters.y, rangeV_.first, periodV_);
         return found;
@@ -120,11 +120,24 @@ public:
     std::unique_ptr<Surface> clone() const override
     {
         auto copy = std::make_unique<OcctSurface>(geometry_, windowU_, windowV_);
-        copy->grid_ = grid_;
+        copy->grids_ = grids_;
         return copy;
     }
 
 private:
+    /// The face may be small on its surface: a grid of its own finds what the coarse one of the whole surface misses.
+    struct Grids
+    {
+        SurfaceGrid face;
+        SurfaceGrid whole;
+    };
+
+    Grids makeGrids() const
+    {
+        return {SurfaceGrid(*this, windowU_, windowV_),
+                SurfaceGrid(*this, searchWindow(rangeU_, windowU_, periodU_), searchWindow(rangeV_, windowV_, periodV_))};
+    }
+
     Handle(Geom_Surface) geometry_;
     GeomAdaptor_Surface adaptor_;
     Interval windowU_;
@@ -135,7 +148,7 @@ private:
     double periodV_ = 0.0;
     std::vector<double> breaksU_;
     std::vector<double> breaksV_;
-    mutable std::shared_ptr<const SurfaceGrid> grid_;  ///< made at the first search without a seed
+    mutable std::shared_ptr<const Grids> grids_;  ///< made at the first search without a seed
 };
 
 std::shared_ptr<const Surface> tryAnalytic(const Handle(Geom_Surface) & geometry)

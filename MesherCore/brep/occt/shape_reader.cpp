@@ -75,12 +75,21 @@ Result<ShapeFromFile> readIges(const std::string& name)
     return ShapeFromFile{*std::move(shape), unit.IsNull() ? "" : unit->ToCString()};
 }
 
-Result<ShapeFromFile> readText(const std::string& content, const std::string& name)
+/// The kernel's BREP readers go on, without end, when a stream fails: this one throws instead.
+std::istringstream throwingStream(const std::string& content)
 {
     std::istringstream stream(content);
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
+    return stream;
+}
+
+Result<ShapeFromFile> readText(const std::string& content, const std::string& name)
+{
+    // The blank keeps the last number from ending at the end of the stream.
+    std::istringstream stream = throwingStream(content + "\n");
     TopoDS_Shape shape;
     BRepTools::Read(shape, stream, BRep_Builder());
-    if (stream.bad() || shape.IsNull()) return unreadable(name, "the BREP text is truncated or damaged");
+    if (shape.IsNull()) return unreadable(name, "the BREP text is truncated or damaged");
     return ShapeFromFile{shape, ""};
 }
 
@@ -89,13 +98,13 @@ Result<ShapeFromFile> readBinary(const std::string& content, const std::string& 
 {
     constexpr std::size_t kFreeCadTrailer = 3 * sizeof(std::int32_t);
     const Error damaged = unreadable(name, "the binary BREP is truncated or damaged");
-    std::istringstream stream(content);
+    std::istringstream stream = throwingStream(content);
     BinTools_ShapeSet set;
     set.Read(stream);
-    if (!stream || set.NbShapes() == 0) return damaged;
+    if (set.NbShapes() == 0) return damaged;
     const auto position = static_cast<std::size_t>(stream.tellg());
     if (content.size() - position != kFreeCadTrailer) {
-        std::istringstream again(content);
+        std::istringstream again = throwingStream(content);
         TopoDS_Shape shape;
         BinTools::Read(shape, again);
         if (shape.IsNull()) return damaged;
@@ -105,7 +114,7 @@ Result<ShapeFromFile> readBinary(const std::string& content, const std::string& 
     BinTools::GetInteger(stream, index);
     BinTools::GetInteger(stream, location);
     BinTools::GetInteger(stream, orientation);
-    const bool isValid = stream && 1 <= index && index <= set.NbShapes() && 0 <= location &&
+    const bool isValid = 1 <= index && index <= set.NbShapes() && 0 <= location &&
                          location <= set.Locations().NbLocations() && TopAbs_FORWARD <= orientation &&
                          orientation <= TopAbs_EXTERNAL;
     if (!isValid) return damaged;

@@ -35,7 +35,7 @@ MeshOptions sized(double size)
 TEST(MeshPlanar, MakesAValidClassifiedMesh)
 {
     RunContext context;
-    const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.2), 4, context);
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.2), nullptr, 4, context);
     ASSERT_TRUE(outcome.result);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Done);
     const ClassifiedMesh& mesh = outcome.result->mesh;
@@ -54,7 +54,7 @@ TEST(MeshPlanar, MakesAValidClassifiedMesh)
 TEST(MeshPlanar, GivesGaussPointsThatEncloseTheExactArea)
 {
     RunContext context;
-    const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.2), 4, context);
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.2), nullptr, 4, context);
     ASSERT_TRUE(outcome.result);
     double area = 0.0;
     for (const CurvedBoundaryEdge& edge : outcome.result->boundary.edges) {
@@ -68,8 +68,8 @@ TEST(MeshPlanar, GivesTheSameMeshEachTime)
 {
     RunContext first;
     RunContext second;
-    const PlanarMeshOutcome a = meshPlanar(annulus(), sized(0.1), 4, first);
-    const PlanarMeshOutcome b = meshPlanar(annulus(), sized(0.1), 4, second);
+    const PlanarMeshOutcome a = meshPlanar(annulus(), sized(0.1), nullptr, 4, first);
+    const PlanarMeshOutcome b = meshPlanar(annulus(), sized(0.1), nullptr, 4, second);
     EXPECT_EQ(a.report.meshHash, b.report.meshHash);
     EXPECT_NE(a.report.meshHash, 0u);
 }
@@ -79,7 +79,7 @@ TEST(MeshPlanar, SaysThatALimitEndedIt)
     RunContext context;
     MeshOptions options = sized(0.01);
     options.maxElements = 1000;
-    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, 4, context);
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Failed);
     EXPECT_EQ(outcome.report.stopReason, StopReason::ElementLimit);
     ASSERT_EQ(outcome.report.failures.size(), 1u);
@@ -92,7 +92,7 @@ TEST(MeshPlanar, SaysThatItWasCancelled)
 {
     RunContext context;
     context.requestCancel();
-    const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.1), 4, context);
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.1), nullptr, 4, context);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Cancelled);
 }
 
@@ -101,11 +101,49 @@ TEST(MeshPlanar, RefusesWhatIsNotThereYet)
     RunContext context;
     MeshOptions options = sized(0.1);
     options.order = 2;
-    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, 4, context);
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Failed);
     ASSERT_EQ(outcome.report.failures.size(), 1u);
     EXPECT_EQ(outcome.report.failures[0].entity, "--order 2");
     EXPECT_FALSE(outcome.result);
+}
+
+double shortestEdgeWith(const MeshOptions& options)
+{
+    RunContext context;
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
+    EXPECT_TRUE(outcome.result);
+    return outcome.result ? outcome.report.triangleQuality->shortestEdge : 0.0;
+}
+
+/// Chords of the inner circle, of curvature 1, are shorter than those that the shape alone asks for.
+TEST(MeshPlanar, KeepsSizesOfCurvesAndPoints)
+{
+    MeshOptions options = sized(0.5);
+    EXPECT_GT(shortestEdgeWith(options), 0.15);
+    options.curvature = 100.0;
+    EXPECT_LT(shortestEdgeWith(options), 2.0 * std::numbers::pi / 100.0);
+    options = sized(0.5);
+    options.sag = 1e-4;
+    EXPECT_LT(shortestEdgeWith(options), std::sqrt(8e-4));
+    options = sized(0.5);
+    options.localSizes = {{"Edge2", 0.05}};
+    EXPECT_LT(shortestEdgeWith(options), 0.05);
+    options.minSize = 0.4;
+    EXPECT_GT(shortestEdgeWith(options), 0.15);
+    options = sized(0.5);
+    options.localSizes = {{"Vertex1", 0.02}};
+    EXPECT_LT(shortestEdgeWith(options), 0.02);
+}
+
+TEST(MeshPlanar, RefusesASizeOnWhatIsNotThere)
+{
+    RunContext context;
+    MeshOptions options = sized(0.5);
+    options.localSizes = {{"Edge9", 0.05}};
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
+    ASSERT_EQ(outcome.report.failures.size(), 1u);
+    EXPECT_EQ(outcome.report.failures[0].entity, "Edge9");
 }
 
 }  // namespace

@@ -1,0 +1,115 @@
+#include "brep/occt/read_model.h"
+#include "occt_models.h"
+#include "support/model_contract.h"
+
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace mesher {
+
+TEST(OcctModel, KeepsTheContract)
+{
+    for (const auto& [name, shape] : test::kernelModels()) {
+        SCOPED_TRACE(name);
+        const Result<ReadModel> read = readModelFromShape(shape);
+        ASSERT_TRUE(read) << describe(read.error());
+        const test::ContractReport report = test::checkModelContract(read->model, {12, true});
+        EXPECT_GT(report.faces, 0u);
+        EXPECT_LT(report.largestGap, 1e-6);
+        for (const std::string& line : report.broken) ADD_FAILURE() << line;
+        for (const std::string& note : read->model.notes) ADD_FAILURE() << note;
+    }
+}
+
+TEST(OcctModel, NumbersEntitiesAsMapShapes)
+{
+    for (const auto& [name, shape] : test::kernelModels()) {
+        SCOPED_TRACE(name);
+        const BrepModel model = readModelFromShape(shape).value().model;
+        TopTools_IndexedMapOfShape vertices, edges, faces;
+        TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+        TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+        TopExp::MapShapes(shape, TopAbs_FACE, faces);
+        ASSERT_EQ(model.vertices.size(), static_cast<std::size_t>(vertices.Extent()));
+        ASSERT_EQ(model.edges.size(), static_cast<std::size_t>(edges.Extent()));
+        ASSERT_EQ(model.faces.size(), static_cast<std::size_t>(faces.Extent()));
+        for (std::uint32_t i = 0; i < model.vertices.size(); ++i) {
+            const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(vertices(static_cast<int>(i) + 1)));
+            EXPECT_EQ(model.vertices[BrepVertexId(i)].position, (Vec3{p.X(), p.Y(), p.Z()}));
+        }
+    }
+}
+
+TEST(OcctModel, UsesClosedFormsWhereThereAreAny)
+{
+    const auto kindsOf = [](const std::string& wanted) {
+        std::set<SurfaceKind> kinds;
+        for (const auto& [name, shape] : test::kernelModels()) {
+            if (name != wanted) continue;
+            const BrepModel model = readModelFromShape(shape).value().model;
+            for (const BrepFace& face : model.faces) kinds.insert(face.surface->kind());
+        }
+        return kinds;
+    };
+    EXPECT_EQ(kindsOf("pointed cone"), (std::set{SurfaceKind::Plane, SurfaceKind::Cone}));
+    EXPECT_EQ(kindsOf("placed torus"), (std::set{SurfaceKind::Torus}));
+    EXPECT_EQ(kindsOf("mirrored filleted box"), (std::set{SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere}));
+    EXPECT_EQ(kindsOf("offset face"), (std::set{SurfaceKind::Offset}));
+    EXPECT_EQ(kindsOf("revolved spline"), (std::set{SurfaceKind::Revolution}));
+    EXPECT_EQ(kindsOf("extruded spline"), (std::set{SurfaceKind::Extrusion}));
+}
+
+TEST(OcctModel, SharedFaceBelongsToBothSolidsWithOppositeSides)
+{
+    const BrepModel model = readModelFromShape(test::gluedBoxes()).value().model;
+    ASSERT_EQ(model.solids.size(), 2u);
+    EXPECT_EQ(model.faces.size(), 11u);
+    EXPECT_EQ(model.edges.size(), 20u);
+    std::map<std::uint32_t, std::vector<bool>> uses;
+    for (const BrepSolid& solid : model.solids) {
+        ASSERT_EQ(solid.shells.size(), 1u);
+        EXPECT_TRUE(solid.shells[0].isClosed);
+        for (const BrepShellFace& use : solid.shells[0].faces) uses[use.face.value].push_back(use.isReversed);
+    }
+    const auto isShared = [](const auto& entry) { return entry.second.size() == 2; };
+    ASSERT_EQ(std::count_if(uses.begin(), uses.end(), isShared), 1);
+    const auto shared = std::find_if(uses.begin(), uses.end(), isShared);
+    EXPECT_NE(shared->second[0], shared->second[1]);
+}
+
+TEST(OcctModel, SeamIsUsedTwiceWithTwoParameterCurves)
+{
+    for (const auto& [name, shape] : test::kernelModels()) {
+        if (name != "cylinder") continue;
+        const BrepModel model = readModelFromShape(shape).value().model;
+        for (const BrepFace& face : model.faces) {
+            if (face.surface->kind() != SurfaceKind::Cylinder) continue;
+            ASSERT_EQ(face.loops.size(), 1u);
+            ASSERT_EQ(face.loops[0].coedges.size(), 4u);
+            std::vector<double> seamU;
+            for (const BrepCoedge& coedge : face.loops[0].coedges) {
+                if (!model.edges[coedge.edge].isClosed()) seamU.push_back(coedge.parameterCurve->position(1.0).x);
+            }
+            ASSERT_EQ(seamU.size(), 2u);
+            EXPECT_NEAR(std::abs(seamU[0] - seamU[1]), face.surface->periodU(), 1e-12);
+        }
+    }
+}
+
+TEST(OcctModel, NullAndFacelessShapesAreRefused)
+{
+    EXPECT_FALSE(readModelFromShape(TopoDS_Shape()));
+    const Result<ReadModel> wire = readModelFromShape(test::polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    ASSERT_FALSE(wire);
+    EXPECT_EQ(wire.error().message, "the model has no face");
+}
+
+}  // namespace mesher
