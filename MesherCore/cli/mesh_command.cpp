@@ -156,11 +156,30 @@ private:
         return !failIf(checkAffordable(estimatePlanar(model_, command_.options), command_.options));
     }
 
+    /// All faces of the model, if none of them is turned against the first.
+    std::optional<std::vector<BrepFaceId>> facesInOnePlane()
+    {
+        constexpr double kLargestTurn = 1e-6;  // radians; the exact test is that of planarCurveComplex
+        std::vector<BrepFaceId> faces;
+        std::optional<PlaneFrame> first;
+        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
+            const std::optional<PlaneFrame> frame = model_.faces[BrepFaceId(i)].surface->planeFrame();
+            if (!first) first = frame;
+            if (frame && length(cross(frame->normal, first->normal)) > kLargestTurn) {
+                fail({ErrorCode::InvalidArgument, "lies in another plane than the faces before it",
+                      nameOf(BrepFaceId(i)), frame->origin, "mesh the faces of each plane on their own"});
+                return std::nullopt;
+            }
+            faces.push_back(BrepFaceId(i));
+        }
+        return faces;
+    }
+
     bool mesh()
     {
-        std::vector<BrepFaceId> faces;
-        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) faces.push_back(BrepFaceId(i));
-        const Result<PlanarCurveComplex> complex = planarCurveComplex(model_, faces);
+        const std::optional<std::vector<BrepFaceId>> faces = facesInOnePlane();
+        if (!faces) return false;
+        const Result<PlanarCurveComplex> complex = planarCurveComplex(model_, *faces);
         if (!complex) {
             fail(complex.error());
             return false;

@@ -126,6 +126,8 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
     }
     tellCounts(result.value(), report);
     tellStop(result.value().stopReason, report);
+    // A run that ends early may not have got as far as a triangulation of the boundary.
+    if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0) return outcome;
     outcome.result = classifyPlanar(complex, result.value().triangulation, boundaryOrder);
     describeMesh(outcome.result->mesh, report);
     if (options.isChecked) checkWhole(outcome.result->mesh, report);

@@ -164,7 +164,7 @@ class TestRefusals(Case):
 
     def test_models_that_cannot_be_meshed(self):
         self.expect_refusal(1, "not yet", "mesh", DATA / "box.brep", "-o", "a.msh")
-        self.expect_refusal(1, "Face2.*another plane", "mesh", DATA / "box.brep", "-o", "a.msh", "--dimension", 2)
+        self.expect_refusal(1, "Face[1-6].*another plane", "mesh", DATA / "box.brep", "-o", "a.msh", "--dimension", 2)
         self.expect_refusal(1, "--max-elements", "mesh", DATA / "plate.brep", "-o", "a.msh", "--dimension", 2, "--size", 1e-7)
 
     def test_targets_that_cannot_be_written_are_told_before_meshing(self):
@@ -185,7 +185,7 @@ class TestRefusals(Case):
         report = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(report["status"], "failed")
         failure = report["failures"][0]
-        self.assertEqual(failure["entity"], "Face2")
+        self.assertRegex(failure["entity"], "^Face[1-6]$")
         self.assertTrue(failure["reason"] and failure["remedy"] and len(failure["point"]) == 3)
 
 
@@ -214,7 +214,7 @@ class TestOtherCommands(Case):
 
     def test_info_and_estimate(self):
         run = self.expect(0, "info", DATA / "box.brep")
-        for line in ("solids: 1", "faces: 6", "edges: 12", "vertices: 8", "plane: 6"):
+        for line in ("1 solids", "6 faces", "12 edges", "8 vertices", "6 plane"):
             self.assertIn(line, run.stdout)
         run = self.expect(0, "estimate", DATA / "plate.brep", "--dimension", 2, "--size", 0.05)
         elements = float(re.search("elements: about (.*)", run.stdout).group(1))

@@ -94,6 +94,21 @@ TEST(MeshPlanar, SaysThatItWasCancelled)
     context.requestCancel();
     const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.1), nullptr, 4, context);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Cancelled);
+    EXPECT_FALSE(outcome.result);
+}
+
+TEST(MeshPlanar, SurvivesALimitAtAnyPlace)
+{
+    for (std::uint64_t limit = 1; limit < 100; limit += 7) {
+        RunContext context;
+        MeshOptions options = sized(0.1);
+        options.maxElements = limit;
+        EXPECT_EQ(meshPlanar(annulus(), options, nullptr, 4, context).report.status, MeshReport::Status::Failed);
+    }
+    RunContext context;
+    MeshOptions options = sized(0.1);
+    options.timeout = 1e-9;
+    EXPECT_EQ(meshPlanar(annulus(), options, nullptr, 4, context).report.stopReason, StopReason::TimeLimit);
 }
 
 TEST(MeshPlanar, RefusesWhatIsNotThereYet)
@@ -133,7 +148,7 @@ TEST(MeshPlanar, KeepsSizesOfCurvesAndPoints)
     EXPECT_GT(shortestEdgeWith(options), 0.15);
     options = sized(0.5);
     options.localSizes = {{"Vertex1", 0.02}};
-    EXPECT_LT(shortestEdgeWith(options), 0.02);
+    EXPECT_LT(shortestEdgeWith(options), 0.03);
 }
 
 TEST(MeshPlanar, RefusesASizeOnWhatIsNotThere)
