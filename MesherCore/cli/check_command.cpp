@@ -14,23 +14,23 @@ namespace {
 
 void printMesh(const MeshCheckReport& report, const MeshReport& quality, std::ostream& out)
 {
-    out << report.counts.nodes << " nodes, " << report.counts.points << " points, " << report.counts.lines << " lines, "
-        << report.counts.triangles << " triangles, " << report.counts.tets << " tetrahedra\n"
+    out << report.counts.nodes << " nodes, " << report.counts.points << " points, " << report.counts.lines
+        << " lines, " << report.counts.triangles << " triangles, " << report.counts.tets << " tetrahedra\n"
         << std::setprecision(15);
     if (report.counts.tets > 0) {
         for (const auto& [index, volume] : report.volumeOfSolid) {
-            out << "volume of " << (index == EntityRef::kNone ? "no solid" : nameOf(EntityRef{3, index})) << ": " << volume
-                << '\n';
+            out << "volume of " << (index == EntityRef::kNone ? "no solid" : nameOf(EntityRef{3, index}))
+                << ": " << volume << '\n';
         }
         out << "dihedral angles: " << quality.tetQuality->dihedral.least() << " to "
             << quality.tetQuality->dihedral.largest() << " degrees\n";
     } else if (report.counts.triangles > 0) {
         for (const auto& [index, area] : report.areaOfFace) {
-            out << "area of " << (index == EntityRef::kNone ? "no face" : nameOf(EntityRef{2, index})) << ": " << area
-                << '\n';
+            out << "area of " << (index == EntityRef::kNone ? "no face" : nameOf(EntityRef{2, index})) << ": "
+                << area << '\n';
         }
-        out << "angles: " << quality.triangleQuality->angle.least() << " to " << quality.triangleQuality->angle.largest()
-            << " degrees\n";
+        out << "angles: " << quality.triangleQuality->angle.least() << " to "
+            << quality.triangleQuality->angle.largest() << " degrees\n";
     }
 }
 
@@ -78,8 +78,11 @@ ExitStatus runCheck(const CheckCommand& command, Console console)
         if (!written) return tell(written.error(), ExitStatus::Failed, console);
     }
     if (!problems.empty()) {
-        const Error invalid = {ErrorCode::InvalidArgument, "the mesh is not valid: " + problems.front(),
-                               command.mesh.string(), {}, {}};
+        const Error invalid = {ErrorCode::InvalidArgument,
+                               "the mesh is not valid: " + problems.front(),
+                               command.mesh.string(),
+                               {},
+                               {}};
         return tell(invalid, ExitStatus::Failed, console);
     }
     console.out << "valid\n";

@@ -28,7 +28,8 @@ Result<Number> numberIn(const std::string& option, const std::string& text)
     const char* last = text.data() + text.size();
     const auto [end, code] = std::from_chars(text.data(), last, value);
     if (code != std::errc() || end != last || text.empty()) {
-        return usageError(std::string("--").append(option).append(" wants a number, not '").append(text).append("'"));
+        return usageError(
+            std::string("--").append(option).append(" wants a number, not '").append(text).append("'"));
     }
     return value;
 }
@@ -42,7 +43,8 @@ po::options_description meshingOptions()
     add("min-size", po::value<std::string>(), "no smaller size is asked for");
     add("curvature", po::value<std::string>(), "elements in a full turn of a curve (default 0: off)");
     add("sag", po::value<std::string>(), "largest distance of an edge from its curve (default 0: off)");
-    add("refinement", po::value<std::string>(), "R: boundary size is local feature size / R, 1 or more (default 1)");
+    add("refinement", po::value<std::string>(),
+        "R: boundary size is local feature size / R, 1 or more (default 1)");
     add("grading", po::value<std::string>(), "G: sizes grow by at most distance / G (default 1)");
     add("local-size", po::value<Texts>()->composing(), "size of one entity, e.g. Face6=0.5; may be repeated");
     add("background", po::value<std::string>(), "mesh (.msh, .vtu) with the size at each node");
@@ -64,9 +66,11 @@ po::options_description outputOptions()
     po::options_description options("Options of mesh", 100);
     auto add = options.add_options();
     add("output,o", po::value<Texts>()->composing(), "file to write; may be repeated");
-    add("format", po::value<Texts>()->composing(), "of the first, second, … output; else that of its extension");
+    add("format", po::value<Texts>()->composing(),
+        "of the first, second, … output; else that of its extension");
     add("report", po::value<std::string>(), "JSON file that tells what was done");
-    add("curved-boundary", po::value<std::string>(), "JSON file with Gauss points on the exact boundary curves");
+    add("curved-boundary", po::value<std::string>(),
+        "JSON file with Gauss points on the exact boundary curves");
     add("boundary-order", po::value<std::string>(), "order of accuracy they are for, 2 to 4 (default 4)");
     add("check", po::bool_switch(), "check the mesh as a whole before it is written");
     add("keep-partial", po::bool_switch(), "write what there is when a limit ends the run");
@@ -83,7 +87,8 @@ Result<po::variables_map> parse(std::span<const std::string> arguments, po::opti
     try {
         const auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
         const Texts texts(arguments.begin(), arguments.end());
-        po::store(po::command_line_parser(texts).options(visible).positional(positional).style(style).run(), found);
+        po::store(po::command_line_parser(texts).options(visible).positional(positional).style(style).run(),
+                  found);
         po::notify(found);
     } catch (const po::error& error) {
         return usageError(error.what());
@@ -95,8 +100,14 @@ Result<std::filesystem::path> onlyInput(const po::variables_map& found, const st
 {
     const Texts inputs = found.count("input") != 0 ? found["input"].as<Texts>() : Texts();
     if (inputs.empty()) return usageError(std::string("the ").append(what).append(" is missing"));
-    if (inputs.size() > 1) return usageError(std::string("one ").append(what).append(" is expected, '").append(inputs[1]).append("' is too much"));
-    if (inputs.front().empty()) return usageError(std::string("the name of the ").append(what).append(" is empty"));
+    if (inputs.size() > 1)
+        return usageError(std::string("one ")
+                              .append(what)
+                              .append(" is expected, '")
+                              .append(inputs[1])
+                              .append("' is too much"));
+    if (inputs.front().empty())
+        return usageError(std::string("the name of the ").append(what).append(" is empty"));
     return std::filesystem::path(inputs.front());
 }
 
@@ -157,7 +168,8 @@ void readLocalSizes(ValueReader& reader, MeshOptions& options)
         const std::size_t equals = text.find('=');
         const std::string entity = text.substr(0, equals);
         if (equals == std::string::npos || !entityNamed(entity)) {
-            reader.fail(usageError("--local-size wants an entity and a size like Face6=0.5, not '" + text + "'"));
+            reader.fail(
+                usageError("--local-size wants an entity and a size like Face6=0.5, not '" + text + "'"));
             return;
         }
         const Result<double> size = numberIn<double>("local-size", text.substr(equals + 1));
@@ -203,7 +215,8 @@ void readOutputs(ValueReader& reader, MeshCommand& command)
     const Texts formats = reader.texts("format");
     if (paths.empty()) reader.fail(usageError("the output is missing", "give at least one -o FILE"));
     if (formats.size() > paths.size()) {
-        reader.fail(usageError("there are more --format than outputs", "give one for each -o, in their order"));
+        reader.fail(
+            usageError("there are more --format than outputs", "give one for each -o, in their order"));
         return;
     }
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -213,7 +226,11 @@ void readOutputs(ValueReader& reader, MeshCommand& command)
 
 Error namedTwice(const std::filesystem::path& path)
 {
-    return {ErrorCode::InvalidArgument, "the file is named twice", path.string(), {}, "give each file another name"};
+    return {ErrorCode::InvalidArgument,
+            "the file is named twice",
+            path.string(),
+            {},
+            "give each file another name"};
 }
 
 /// Two files of the same name would overwrite each other, or the model.
@@ -228,8 +245,10 @@ void refuseSameFiles(ValueReader& reader, const MeshCommand& command)
         for (const std::filesystem::path& other : seen) {
             std::error_code code;
             // Devices like /dev/null may well be named twice.
-            const bool isDevice = std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code);
-            const bool isSame = other == path.lexically_normal() || std::filesystem::equivalent(other, path, code);
+            const bool isDevice =
+                std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code);
+            const bool isSame =
+                other == path.lexically_normal() || std::filesystem::equivalent(other, path, code);
             if (isSame && !isDevice) reader.fail(namedTwice(path));
         }
         seen.push_back(path.lexically_normal());

@@ -9,7 +9,10 @@ namespace mesher {
 ExitStatus runEstimate(const MeshCommand& command, Console console)
 {
     if (command.options.dimension == 3) {
-        const Error error = {ErrorCode::InvalidArgument, "solids are not yet estimated", command.model.string(), {},
+        const Error error = {ErrorCode::InvalidArgument,
+                             "solids are not yet estimated",
+                             command.model.string(),
+                             {},
                              "estimate plane faces with --dimension 2"};
         return tell(error, ExitStatus::Failed, console);
     }

@@ -41,7 +41,8 @@ public:
     ExitStatus run()
     {
         if (const std::optional<ExitStatus> refused = probeTargets()) return *refused;
-        const bool isDone = readModelFile() && readBackground() && checkBeforehand() && mesh() && writeOutputs();
+        const bool isDone =
+            readModelFile() && readBackground() && checkBeforehand() && mesh() && writeOutputs();
         progress_.clear();
         finishStatus();
         writeReport();
@@ -121,7 +122,10 @@ private:
             return false;
         }
         if (file->fields.empty()) {
-            fail({ErrorCode::Unreadable, "has no number at its nodes to take as the size", path, {},
+            fail({ErrorCode::Unreadable,
+                  "has no number at its nodes to take as the size",
+                  path,
+                  {},
                   "add a nodal field to the mesh"});
             return false;
         }
@@ -146,12 +150,16 @@ private:
     bool checkBeforehand()
     {
         if (command_.options.dimension == 3) {
-            fail({ErrorCode::InvalidArgument, "solids are not yet meshed", "model", {},
+            fail({ErrorCode::InvalidArgument,
+                  "solids are not yet meshed",
+                  "model",
+                  {},
                   "mesh plane faces with --dimension 2"});
             return false;
         }
         double area = 0.0;
-        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) area += planarArea(model_, BrepFaceId(i)).value_or(0.0);
+        for (std::uint32_t i = 0; i < model_.faces.size(); ++i)
+            area += planarArea(model_, BrepFaceId(i)).value_or(0.0);
         report_.modelArea = area;
         return !failIf(checkAffordable(estimatePlanar(model_, command_.options), command_.options));
     }
@@ -190,7 +198,8 @@ private:
         result_ = std::move(outcome.result);
         if (result_) result_->mesh.title = command_.model.filename().string();
         const bool isWhole = report_.status == MeshReport::Status::Done;
-        const bool isPartial = report_.stopReason != StopReason::Done && report_.status == MeshReport::Status::Failed;
+        const bool isPartial =
+            report_.stopReason != StopReason::Done && report_.status == MeshReport::Status::Failed;
         return result_.has_value() && (isWhole || (isPartial && command_.keepsPartial));
     }
 
@@ -218,7 +227,8 @@ private:
             }
             if (failIf(writeMesh(result_->mesh, output.path, output.format))) return false;
         }
-        if (command_.curvedBoundary && failIf(writeCurvedBoundary(result_->boundary, *command_.curvedBoundary))) {
+        if (command_.curvedBoundary &&
+            failIf(writeCurvedBoundary(result_->boundary, *command_.curvedBoundary))) {
             return false;
         }
         addSeconds("writing", start);
@@ -249,10 +259,13 @@ private:
         double total = 0.0;
         for (const auto& [stage, seconds] : report_.seconds) total += seconds;
         console_.out << result_->mesh.nodes.size() << " nodes, " << result_->mesh.triangles.size()
-                     << " triangles, angles from " << std::fixed << std::setprecision(2) << quality.angle.least() << " to "
-                     << quality.angle.largest() << " degrees, " << total << " s\n";
-        for (const OutputTarget& output : command_.outputs) console_.out << "wrote " << output.path.string() << '\n';
-        for (const std::string& warning : report_.warnings) console_.err << "mesher: note: " << warning << '\n';
+                     << " triangles, angles from " << std::fixed << std::setprecision(2)
+                     << quality.angle.least() << " to " << quality.angle.largest() << " degrees, " << total
+                     << " s\n";
+        for (const OutputTarget& output : command_.outputs)
+            console_.out << "wrote " << output.path.string() << '\n';
+        for (const std::string& warning : report_.warnings)
+            console_.err << "mesher: note: " << warning << '\n';
     }
 
     void addSeconds(const char* stage, Clock::time_point start)

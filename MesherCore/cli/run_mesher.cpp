@@ -36,12 +36,15 @@ ExitStatus dispatch(std::span<const std::string> arguments, Console console)
     }
     if (command == "formats") return listFormats(console);
     if (command == "mesh") return parseAndRun(parseMeshCommand(arguments.subspan(1)), runMesh, console);
-    if (command == "estimate") return parseAndRun(parseEstimateCommand(arguments.subspan(1)), runEstimate, console);
+    if (command == "estimate")
+        return parseAndRun(parseEstimateCommand(arguments.subspan(1)), runEstimate, console);
     if (command == "check") return parseAndRun(parseCheckCommand(arguments.subspan(1)), runCheck, console);
     if (command == "info") return parseAndRun(parseInfoCommand(arguments.subspan(1)), runInfo, console);
     if (command == "draw") return parseAndRun(parseDrawCommand(arguments.subspan(1)), runDraw, console);
-    const std::string message = command.empty() ? "the command is missing" : "unknown command '" + command + "'";
-    return tell({ErrorCode::InvalidArgument, message, {}, {}, "see mesher --help"}, ExitStatus::Usage, console);
+    const std::string message =
+        command.empty() ? "the command is missing" : "unknown command '" + command + "'";
+    return tell({ErrorCode::InvalidArgument, message, {}, {}, "see mesher --help"}, ExitStatus::Usage,
+                console);
 }
 
 }  // namespace
@@ -57,7 +60,10 @@ ExitStatus runMesher(std::span<const std::string> arguments, Console console)
     try {
         return dispatch(arguments, console);
     } catch (const std::bad_alloc&) {
-        const Error error = {ErrorCode::OutOfRange, "the memory does not suffice", {}, {},
+        const Error error = {ErrorCode::OutOfRange,
+                             "the memory does not suffice",
+                             {},
+                             {},
                              "choose a larger --size or a machine with more memory"};
         return tell(error, ExitStatus::Failed, console);
     }

@@ -65,7 +65,8 @@ std::optional<Error> findObstacle(fs::path& target, bool& isDirect)
     if (!fs::exists(folder, code)) {
         return unwritable(target, "the folder " + folder.string() + " does not exist", ENOENT);
     }
-    if (!fs::is_directory(folder, code)) return unwritable(target, folder.string() + " is not a folder", ENOTDIR);
+    if (!fs::is_directory(folder, code))
+        return unwritable(target, folder.string() + " is not a folder", ENOTDIR);
     if (access(folder.c_str(), W_OK | X_OK) != 0) {
         return unwritable(target, "the folder cannot be written", errno);
     }
@@ -75,7 +76,9 @@ std::optional<Error> findObstacle(fs::path& target, bool& isDirect)
 /// The permissions of the file that is replaced, else what the user's mask leaves of a new file.
 mode_t permissionsFor(const fs::path& target)
 {
-    struct stat existing{};
+    struct stat existing
+    {
+    };
     if (stat(target.c_str(), &existing) == 0) return existing.st_mode & 0777u;
     const mode_t mask = umask(0);
     umask(mask);
@@ -96,13 +99,15 @@ void syncFolderOf(const fs::path& target)
 
 AtomicFile::AtomicFile(int descriptor, fs::path target, fs::path temporary)
     : descriptor_(descriptor), target_(std::move(target)), temporary_(std::move(temporary))
-{}
+{
+}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)),
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {}))
-{}
+{
+}
 
 AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept
 {

@@ -31,8 +31,8 @@ void Base64Encoder::append(std::span<const std::byte> bytes)
 void Base64Encoder::writeGroup()
 {
     const std::uint32_t bits = static_cast<std::uint32_t>(group_[0] << 16 | group_[1] << 8 | group_[2]);
-    const std::array<char, 4> text = {kAlphabet[bits >> 18], kAlphabet[bits >> 12 & 63], kAlphabet[bits >> 6 & 63],
-                                      kAlphabet[bits & 63]};
+    const std::array<char, 4> text = {kAlphabet[bits >> 18], kAlphabet[bits >> 12 & 63],
+                                      kAlphabet[bits >> 6 & 63], kAlphabet[bits & 63]};
     out_.append(text);
     filled_ = 0;
 }
@@ -42,8 +42,8 @@ void Base64Encoder::finish()
     if (filled_ == 0) return;
     for (std::size_t i = filled_; i < 3; ++i) group_[i] = 0;
     const std::uint32_t bits = static_cast<std::uint32_t>(group_[0] << 16 | group_[1] << 8);
-    out_ << kAlphabet[bits >> 18] << kAlphabet[bits >> 12 & 63] << (filled_ == 2 ? kAlphabet[bits >> 6 & 63] : '=')
-         << '=';
+    out_ << kAlphabet[bits >> 18] << kAlphabet[bits >> 12 & 63]
+         << (filled_ == 2 ? kAlphabet[bits >> 6 & 63] : '=') << '=';
     filled_ = 0;
 }
 
@@ -52,7 +52,7 @@ std::optional<std::vector<std::byte>> decodeBase64(std::string_view text, std::s
     std::vector<std::byte> bytes;
     bytes.reserve(text.size() / 4 * 3);
     std::uint32_t bits = 0;
-    unsigned held = 0;       // characters of the present group of four
+    unsigned held = 0;  // characters of the present group of four
     unsigned paddings = 0;
     for (length = 0; length < text.size(); ++length) {
         const char c = text[length];
@@ -63,7 +63,8 @@ std::optional<std::vector<std::byte>> decodeBase64(std::string_view text, std::s
         paddings += c == '=' ? 1 : 0;
         bits = bits << 6 | value;
         if (++held < 4) continue;
-        for (unsigned i = 0; i + paddings < 3; ++i) bytes.push_back(static_cast<std::byte>(bits >> (16 - 8 * i)));
+        for (unsigned i = 0; i + paddings < 3; ++i)
+            bytes.push_back(static_cast<std::byte>(bits >> (16 - 8 * i)));
         held = 0;
         if (paddings > 0) {
             ++length;

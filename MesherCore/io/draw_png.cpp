@@ -18,8 +18,8 @@ namespace {
 constexpr Colour kBackground = {255, 255, 255};
 constexpr Colour kEdgeColour = {60, 66, 80};
 constexpr Colour kBoundaryColour = {12, 16, 28};
-constexpr double kMargin = 24.0;            // pixels
-constexpr double kFullyDrawnLength = 6.0;   // pixels: shorter edges fade
+constexpr double kMargin = 24.0;           // pixels
+constexpr double kFullyDrawnLength = 6.0;  // pixels: shorter edges fade
 constexpr double kFaintestEdge = 0.12;
 constexpr std::array<Colour, 8> kFaceColours = {{{176, 205, 232},
                                                  {247, 208, 158},
@@ -93,8 +93,8 @@ public:
                 drawEdges(image, cornersOnImage(triangle, image), 0.5 * opacity);  // inner edges come twice
             }
             for (const MeshElement<2>& line : mesh_.lines) {
-                drawLine(image, onImage(line.node[0], image), onImage(line.node[1], image), options_.boundaryWidth,
-                         kBoundaryColour, 1.0);
+                drawLine(image, onImage(line.node[0], image), onImage(line.node[1], image),
+                         options_.boundaryWidth, kBoundaryColour, 1.0);
             }
         }
         return image;
@@ -114,7 +114,8 @@ private:
     }
     [[nodiscard]] std::array<Vec2, 3> cornersOnImage(const MeshElement<3>& triangle, const Image& image) const
     {
-        return {onImage(triangle.node[0], image), onImage(triangle.node[1], image), onImage(triangle.node[2], image)};
+        return {onImage(triangle.node[0], image), onImage(triangle.node[1], image),
+                onImage(triangle.node[2], image)};
     }
     void drawEdges(Image& image, const std::array<Vec2, 3>& corners, double opacity) const
     {
@@ -126,7 +127,8 @@ private:
     [[nodiscard]] double edgeOpacity() const
     {
         double area = 0.0;
-        for (const MeshElement<3>& triangle : mesh_.triangles) area += shapeOf(cornersOf(mesh_, triangle)).area;
+        for (const MeshElement<3>& triangle : mesh_.triangles)
+            area += shapeOf(cornersOf(mesh_, triangle)).area;
         const double edge = scale_ * std::sqrt(2.3 * area / static_cast<double>(mesh_.triangles.size()));
         return std::clamp(edge / kFullyDrawnLength, kFaintestEdge, 1.0);
     }
@@ -137,7 +139,9 @@ private:
         const double size = length(normal);
         const double facing = size > 0.0 ? std::abs(dot(normal, view_.towardsEye)) / size : 1.0;
         const double light = 0.55 + 0.45 * facing;
-        const auto dim = [light](std::uint8_t value) { return static_cast<std::uint8_t>(std::lround(light * value)); };
+        const auto dim = [light](std::uint8_t value) {
+            return static_cast<std::uint8_t>(std::lround(light * value));
+        };
         return {dim(base.red), dim(base.green), dim(base.blue)};
     }
     [[nodiscard]] std::vector<std::uint32_t> farthestFirst() const
@@ -167,9 +171,14 @@ private:
 
 Result<Image> drawMesh(const ClassifiedMesh& mesh, const DrawingOptions& options)
 {
-    if (mesh.triangles.empty()) return Error{ErrorCode::InvalidArgument, "the mesh has no triangles to draw", {}, {}, {}};
+    if (mesh.triangles.empty())
+        return Error{ErrorCode::InvalidArgument, "the mesh has no triangles to draw", {}, {}, {}};
     if (options.width < 64 || options.width > 16384) {
-        return Error{ErrorCode::InvalidArgument, "the width of the picture is not in the range from 64 to 16384", {}, {}, {}};
+        return Error{ErrorCode::InvalidArgument,
+                     "the width of the picture is not in the range from 64 to 16384",
+                     {},
+                     {},
+                     {}};
     }
     for (const MeshNode& node : mesh.nodes) {
         if (!isFinite(node.position)) {

@@ -10,9 +10,9 @@ namespace mesher {
 
 struct DrawingOptions
 {
-    std::size_t width = 1600;       ///< pixels, 64 … 16384; the height follows from the mesh, up to the same
-    double edgeWidth = 1.0;         ///< of the edges of triangles, pixels
-    double boundaryWidth = 2.5;     ///< of the lines of the mesh, pixels
+    std::size_t width = 1600;    ///< pixels, 64 … 16384; the height follows from the mesh, up to the same
+    double edgeWidth = 1.0;      ///< of the edges of triangles, pixels
+    double boundaryWidth = 2.5;  ///< of the lines of the mesh, pixels
 };
 
 /// Draws the triangles and lines of a mesh: a plane one from its front, any other from the direction (1, -1.2, 0.9), far parts

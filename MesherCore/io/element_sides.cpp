@@ -60,7 +60,8 @@ std::vector<std::pair<std::uint32_t, ElementSide>> matchSides(const ClassifiedMe
             }
         }
     }
-    std::stable_sort(matches.begin(), matches.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(matches.begin(), matches.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     return matches;
 }
 
@@ -86,7 +87,8 @@ ElementSides ElementSides::ofLines(const ClassifiedMesh& mesh)
 ElementSides ElementSides::ofTriangles(const ClassifiedMesh& mesh)
 {
     ElementSides result;
-    collect(matchSides<4>(mesh, mesh.triangles, mesh.tets), mesh.triangles.size(), result.first_, result.sides_);
+    collect(matchSides<4>(mesh, mesh.triangles, mesh.tets), mesh.triangles.size(), result.first_,
+            result.sides_);
     return result;
 }
 

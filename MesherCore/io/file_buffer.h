@@ -39,8 +39,8 @@ public:
         return *this;
     }
     template <std::integral Integer>
-        requires(!std::same_as<Integer, char> && !std::same_as<Integer, bool>)
-    FileBuffer& operator<<(Integer value)
+    requires(!std::same_as<Integer, char> && !std::same_as<Integer, bool>) FileBuffer&
+    operator<<(Integer value)
     {
         makeRoom(kLongestNumber);
         advance(std::to_chars(cursor(), cursor() + kLongestNumber, value));

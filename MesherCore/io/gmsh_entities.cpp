@@ -73,7 +73,8 @@ void GmshEntities::include(const ClassifiedMesh& mesh, const std::vector<MeshEle
         GmshEntity& entity = entities_[N - 1][tagOf(group.entity)];
         entity.isNamed = group.isNamed();
         for (std::uint32_t i = group.first; i < group.last; ++i) {
-            for (const NodeId node : elements[grouped.order[i]].node) entity.box.include(mesh.nodes[node].position);
+            for (const NodeId node : elements[grouped.order[i]].node)
+                entity.box.include(mesh.nodes[node].position);
         }
     }
 }

@@ -15,8 +15,9 @@ namespace mesher {
 struct GmshEntity
 {
     Box3 box;
-    bool isNamed = true;                    ///< has a physical group
-    std::vector<std::int64_t> boundary{};   ///< tags of the entities around it; of a curve first the start, last, negative, the end
+    bool isNamed = true;  ///< has a physical group
+    std::vector<std::int64_t>
+        boundary{};  ///< tags of the entities around it; of a curve first the start, last, negative, the end
 };
 
 /// The entities of a mesh by dimension and tag: the number of people, counted from 1. What lies on no entity gets an entity

@@ -43,7 +43,8 @@ void drawLine(Image& image, Vec2 from, Vec2 to, double width, Colour colour, dou
     const Vec2 direction = to - from;
     const double squared = squaredLength(direction);
     const double reach = 0.5 * width + 0.5;
-    const PixelRange rows = pixelsBetween(std::min(from.y, to.y) - reach, std::max(from.y, to.y) + reach, image.height);
+    const PixelRange rows =
+        pixelsBetween(std::min(from.y, to.y) - reach, std::max(from.y, to.y) + reach, image.height);
     for (std::size_t y = rows.first; y < rows.last; ++y) {
         const double centreY = static_cast<double>(y) + 0.5;
         double low = std::min(from.x, to.x);
@@ -77,7 +78,8 @@ void fillTriangle(Image& image, const std::array<Vec2, 3>& corners, Colour colou
             const Vec2 centre = {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5};
             bool isInside = true;
             for (std::size_t k = 0; k < 3; ++k) {
-                isInside = isInside && turn * cross(corners[(k + 1) % 3] - corners[k], centre - corners[k]) >= 0.0;
+                isInside =
+                    isInside && turn * cross(corners[(k + 1) % 3] - corners[k], centre - corners[k]) >= 0.0;
             }
             if (isInside) image.at(x, y) = colour;
         }

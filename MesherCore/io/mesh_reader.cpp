@@ -22,7 +22,8 @@ Result<std::string> readWhole(const fs::path& path)
 {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
-    if (!fs::exists(status)) return unreadable(path, "there is no such file", "check the name and the folder");
+    if (!fs::exists(status))
+        return unreadable(path, "there is no such file", "check the name and the folder");
     if (fs::is_directory(status)) return unreadable(path, "is a folder", "give the name of a mesh file");
     std::ifstream file(path, std::ios::binary);
     if (!file) return unreadable(path, "the file cannot be opened", "check that you may read it");
@@ -44,8 +45,11 @@ Result<MeshFile> readMeshText(std::string_view content, std::string_view extensi
 {
     if (extension == ".msh") return readGmsh(content);
     if (extension == ".vtu") return readVtu(content);
-    return Error{ErrorCode::Unreadable, "the extension '" + std::string(extension) + "' is of no mesh file that can be read",
-                 {}, {}, "give a .msh or .vtu file"};
+    return Error{ErrorCode::Unreadable,
+                 "the extension '" + std::string(extension) + "' is of no mesh file that can be read",
+                 {},
+                 {},
+                 "give a .msh or .vtu file"};
 }
 
 Result<MeshFile> readMesh(const fs::path& path)

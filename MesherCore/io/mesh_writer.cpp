@@ -49,8 +49,8 @@ Result<const MeshFormat*> findFormat(const std::filesystem::path& path, std::str
         for (const MeshFormat& format : kFormats) {
             if (format.name == name) return &format;
         }
-        return Error{ErrorCode::InvalidArgument, "unknown format '" + std::string(name) + "'", {}, {},
-                     knownFormats()};
+        return Error{
+            ErrorCode::InvalidArgument, "unknown format '" + std::string(name) + "'", {}, {}, knownFormats()};
     }
     const std::string extension = lowered(path.extension().string());
     for (const MeshFormat& format : kFormats) {
@@ -61,7 +61,8 @@ Result<const MeshFormat*> findFormat(const std::filesystem::path& path, std::str
     return Error{ErrorCode::InvalidArgument, what, path.string(), {}, knownFormats()};
 }
 
-Result<void> writeMesh(const ClassifiedMesh& mesh, const std::filesystem::path& path, std::string_view formatName)
+Result<void> writeMesh(const ClassifiedMesh& mesh, const std::filesystem::path& path,
+                       std::string_view formatName)
 {
     const Result<const MeshFormat*> format = findFormat(path, formatName);
     if (!format) return format.error();

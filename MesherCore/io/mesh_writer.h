@@ -24,7 +24,8 @@ struct MeshFormat
 [[nodiscard]] std::span<const MeshFormat> meshFormats();
 
 /// The format of that name, or without a name that of the path's extension (in any case).
-[[nodiscard]] Result<const MeshFormat*> findFormat(const std::filesystem::path& path, std::string_view name = {});
+[[nodiscard]] Result<const MeshFormat*> findFormat(const std::filesystem::path& path,
+                                                   std::string_view name = {});
 
 /// Writes the mesh to the path.
 /// Guarantees   coordinates in model units that read back as the same doubles (binary STL has single precision by its nature);
@@ -34,6 +35,7 @@ struct MeshFormat
                                      std::string_view formatName = {});
 
 /// Whether writeMesh could open this target in this format; changes nothing.
-[[nodiscard]] Result<void> probeMeshTarget(const std::filesystem::path& path, std::string_view formatName = {});
+[[nodiscard]] Result<void> probeMeshTarget(const std::filesystem::path& path,
+                                           std::string_view formatName = {});
 
 }  // namespace mesher

@@ -22,7 +22,8 @@ struct Image
 {
     Image(std::size_t imageWidth, std::size_t imageHeight, Colour background)
         : width(imageWidth), height(imageHeight), pixels(imageWidth * imageHeight, background)
-    {}
+    {
+    }
 
     [[nodiscard]] Colour& at(std::size_t x, std::size_t y) { return pixels[y * width + x]; }
     [[nodiscard]] const Colour& at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }

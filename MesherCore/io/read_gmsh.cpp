@@ -79,7 +79,8 @@ private:
     void addNode(std::int64_t tag, const Vec3& position, EntityRef entity);
     void addElement(ElementKind kind, EntityRef entity);
     [[nodiscard]] NodeId node();
-    [[nodiscard]] EntityRef entityOf(std::uint8_t dimension, std::int64_t tag, std::span<const std::int64_t> groups) const;
+    [[nodiscard]] EntityRef entityOf(std::uint8_t dimension, std::int64_t tag,
+                                     std::span<const std::int64_t> groups) const;
     [[nodiscard]] EntityRef entityOfBlock(std::uint8_t dimension, std::int64_t tag) const;
     void finishNodes();
     void classifyNodesByElements();
@@ -111,7 +112,8 @@ Result<MeshFile> GmshReader::read()
         readSection(std::string_view(section).substr(1));
     }
     if (!in_.failed() && !hasNodes_) in_.fail("the file has no nodes", "write the file again, it is cut off");
-    if (!in_.failed() && !hasElements_) in_.fail("the file has no elements", "write the file again, it is cut off");
+    if (!in_.failed() && !hasElements_)
+        in_.fail("the file has no elements", "write the file again, it is cut off");
     if (!in_.failed()) attachFields();
     if (in_.failed()) return in_.failure();
     if (isVersion2_) classifyNodesByElements();
@@ -188,7 +190,8 @@ void GmshReader::readEntities()
 }
 
 /// The entity by the first group that is named after one; by the tag if the file does not name groups so.
-EntityRef GmshReader::entityOf(std::uint8_t dimension, std::int64_t tag, std::span<const std::int64_t> groups) const
+EntityRef GmshReader::entityOf(std::uint8_t dimension, std::int64_t tag,
+                               std::span<const std::int64_t> groups) const
 {
     for (const std::int64_t group : groups) {
         const auto name = groupName_.find(DimensionAndTag(dimension, group));
@@ -251,8 +254,8 @@ void GmshReader::readNodes41()
         }
     }
     if (!in_.failed() && taggedNodes_.size() != nodeCount) {
-        in_.fail("there are " + std::to_string(taggedNodes_.size()) + " nodes where " + std::to_string(nodeCount) +
-                 " are announced");
+        in_.fail("there are " + std::to_string(taggedNodes_.size()) + " nodes where " +
+                 std::to_string(nodeCount) + " are announced");
     }
     finishNodes();
 }

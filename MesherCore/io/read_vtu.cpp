@@ -74,7 +74,8 @@ Result<VtuOutline> OutlineReader::read()
         visit(*tag);
     }
     if (!xml_.failure().empty() && !error_) {
-        error_ = Error{ErrorCode::Unreadable, xml_.failure(), {}, {}, "write the file again, it is cut off or broken"};
+        error_ = Error{
+            ErrorCode::Unreadable, xml_.failure(), {}, {}, "write the file again, it is cut off or broken"};
     }
     if (!isVtu_) fail(0, "this is no VTK XML file");
     if (pieceCount_ == 0) fail(0, "the file has no piece of an unstructured grid");
@@ -122,7 +123,8 @@ void OutlineReader::readFileTag(const XmlTag& tag)
         fail(tag.offset, "the data are compressed by another method than zlib");
     }
     const std::string_view header = tag.attribute("header_type");
-    if (!header.empty() && header != "UInt32" && header != "UInt64") fail(tag.offset, "the type of the headers is unknown");
+    if (!header.empty() && header != "UInt32" && header != "UInt64")
+        fail(tag.offset, "the type of the headers is unknown");
     outline_.packing.headerSize = header == "UInt64" ? 8 : 4;
 }
 
@@ -212,7 +214,8 @@ private:
     }
     void fail(const VtuArraySource& source, const std::string& message)
     {
-        fail(unreadableAt(source.offset, "array '" + std::string(source.name.substr(0, 40)) + "': " + message));
+        fail(unreadableAt(source.offset,
+                          "array '" + std::string(source.name.substr(0, 40)) + "': " + message));
     }
 
     VtuOutline outline_;
@@ -264,7 +267,8 @@ std::vector<std::int64_t> VtuReader::integers(std::string_view section, std::str
 /// From the arrays 'entity' (a number from 1, 0 for none) and 'dimension'; no entities where the file lacks them.
 std::vector<EntityRef> VtuReader::entities(std::string_view section, std::int64_t itemCount)
 {
-    if (outline_.find(section, "entity") == nullptr || outline_.find(section, "dimension") == nullptr) return {};
+    if (outline_.find(section, "entity") == nullptr || outline_.find(section, "dimension") == nullptr)
+        return {};
     const std::vector<std::int64_t> number = integers(section, "entity");
     const std::vector<std::int64_t> dimension = integers(section, "dimension");
     if (error_) return {};
@@ -275,7 +279,8 @@ std::vector<EntityRef> VtuReader::entities(std::string_view section, std::int64_
     }
     std::vector<EntityRef> entities(number.size());
     for (std::size_t i = 0; i < number.size(); ++i) {
-        const bool isValid = number[i] >= 0 && number[i] < std::int64_t{0xFFFFFFFF} && dimension[i] >= 0 && dimension[i] <= 3;
+        const bool isValid =
+            number[i] >= 0 && number[i] < std::int64_t{0xFFFFFFFF} && dimension[i] >= 0 && dimension[i] <= 3;
         if (!isValid) {
             fail(*outline_.find(section, "entity"), "a number or dimension is out of range");
             return {};
@@ -327,10 +332,12 @@ void VtuReader::readCells()
     std::int64_t first = 0;
     for (std::size_t i = 0; i < types.size() && !error_; ++i) {
         if (offsets[i] < first || offsets[i] > static_cast<std::int64_t>(connectivity.size())) {
-            fail(*outline_.find("Cells", "offsets"), "cell " + std::to_string(i) + " lies outside of the connectivity");
+            fail(*outline_.find("Cells", "offsets"),
+                 "cell " + std::to_string(i) + " lies outside of the connectivity");
             return;
         }
-        const std::span<const std::int64_t> nodes(connectivity.data() + first, connectivity.data() + offsets[i]);
+        const std::span<const std::int64_t> nodes(connectivity.data() + first,
+                                                  connectivity.data() + offsets[i]);
         addCell(types[i], nodes, entity.empty() ? EntityRef{} : entity[i], i);
         first = offsets[i];
     }
@@ -345,18 +352,20 @@ MeshElement<N> elementOf(std::span<const std::int64_t> nodes, EntityRef entity)
     return element;
 }
 
-void VtuReader::addCell(std::int64_t type, std::span<const std::int64_t> nodes, EntityRef entity, std::size_t index)
+void VtuReader::addCell(std::int64_t type, std::span<const std::int64_t> nodes, EntityRef entity,
+                        std::size_t index)
 {
     const std::size_t wanted = type == 1 ? 1 : (type == 3 ? 2 : (type == 5 ? 3 : (type == 10 ? 4 : 0)));
     if (wanted == 0 || nodes.size() != wanted) {
-        fail(*outline_.find("Cells", "types"), "cell " + std::to_string(index) + " of VTK's type " + std::to_string(type) +
-                                                   " with " + std::to_string(nodes.size()) + " nodes is not read");
+        fail(*outline_.find("Cells", "types"), "cell " + std::to_string(index) + " of VTK's type " +
+                                                   std::to_string(type) + " with " +
+                                                   std::to_string(nodes.size()) + " nodes is not read");
         return;
     }
     for (const std::int64_t node : nodes) {
         if (node < 0 || static_cast<std::uint64_t>(node) >= file_.mesh.nodes.size()) {
-            fail(*outline_.find("Cells", "connectivity"),
-                 "cell " + std::to_string(index) + " has a node " + std::to_string(node) + " that is not there");
+            fail(*outline_.find("Cells", "connectivity"), "cell " + std::to_string(index) + " has a node " +
+                                                              std::to_string(node) + " that is not there");
             return;
         }
     }
@@ -372,8 +381,8 @@ void VtuReader::addCell(std::int64_t type, std::span<const std::int64_t> nodes, 
 void VtuReader::readFields()
 {
     for (const VtuArraySource& array : outline_.arrays) {
-        const bool isField = array.section == "PointData" && array.components == 1 && array.type != "String" &&
-                             array.name != "entity" && array.name != "dimension";
+        const bool isField = array.section == "PointData" && array.components == 1 &&
+                             array.type != "String" && array.name != "entity" && array.name != "dimension";
         if (!isField) continue;
         std::vector<double> values = reals(&array, outline_.pointCount);
         if (error_) return;

@@ -16,7 +16,8 @@ std::string shown(std::string_view text)
 {
     std::string result(text.substr(0, kLongestQuote));
     std::replace_if(
-        result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }, '?');
+        result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; },
+        '?');
     return std::string("'").append(result).append(text.size() > kLongestQuote ? "…'" : "'");
 }
 
@@ -31,8 +32,8 @@ Error TextScanner::failure() const
 void TextScanner::fail(std::string message, std::string remedy)
 {
     if (failed()) return;
-    failure_ = Error{ErrorCode::Unreadable, "line " + std::to_string(line()) + ": " + message, {}, {},
-                     std::move(remedy)};
+    failure_ = Error{
+        ErrorCode::Unreadable, "line " + std::to_string(line()) + ": " + message, {}, {}, std::move(remedy)};
     position_ = text_.size();
 }
 
@@ -50,7 +51,8 @@ void TextScanner::skipBlanks()
 void TextScanner::failNumber()
 {
     const std::string_view found = word();
-    fail(found.empty() ? "the file ends where a number is expected" : "a number is expected, not " + shown(found),
+    fail(found.empty() ? "the file ends where a number is expected"
+                       : "a number is expected, not " + shown(found),
          found.empty() ? "write the file again, it is cut off" : "");
 }
 

@@ -67,10 +67,7 @@ public:
     [[nodiscard]] std::size_t room() const { return data_.size(); }
 
 private:
-    void skipBlanks()
-    {
-        data_.remove_prefix(std::min(data_.find_first_not_of(" \t\r\n"), data_.size()));
-    }
+    void skipBlanks() { data_.remove_prefix(std::min(data_.find_first_not_of(" \t\r\n"), data_.size())); }
     [[nodiscard]] Bytes rawBytes(std::size_t size) const
     {
         Bytes bytes(size);
@@ -144,7 +141,8 @@ std::optional<Bytes> unpackCompressed(PackedInput input, std::size_t headerSize)
 
 Error arrayError(const VtuArraySource& source, std::string_view message)
 {
-    return unreadableAt(source.offset, "array '" + std::string(source.name.substr(0, 40)) + "': " + std::string(message));
+    return unreadableAt(source.offset,
+                        "array '" + std::string(source.name.substr(0, 40)) + "': " + std::string(message));
 }
 
 template <class Stored, class Value>
@@ -204,7 +202,8 @@ Result<std::vector<Value>> readValues(const VtuArraySource& source, const VtuPac
     if (!bytes) return arrayError(source, kCutOff);
     std::vector<Value> values;
     if (!convert(source.type, *bytes, values)) {
-        return arrayError(source, "the type '" + std::string(source.type.substr(0, 20)) + "' does not fit its data");
+        return arrayError(source,
+                          "the type '" + std::string(source.type.substr(0, 20)) + "' does not fit its data");
     }
     return values;
 }

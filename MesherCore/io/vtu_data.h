@@ -37,7 +37,8 @@ struct VtuPacking
 };
 
 [[nodiscard]] Result<std::vector<double>> readReals(const VtuArraySource& source, const VtuPacking& packing);
-[[nodiscard]] Result<std::vector<std::int64_t>> readIntegers(const VtuArraySource& source, const VtuPacking& packing);
+[[nodiscard]] Result<std::vector<std::int64_t>> readIntegers(const VtuArraySource& source,
+                                                             const VtuPacking& packing);
 
 /// An error of reading with the offset in the file.
 [[nodiscard]] Error unreadableAt(std::size_t offset, const std::string& message);

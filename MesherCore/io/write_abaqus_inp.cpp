@@ -17,10 +17,7 @@ class NumberList
 public:
     explicit NumberList(FileBuffer& out) : out_(out) {}
 
-    void add(std::size_t number)
-    {
-        out_ << number << (++count_ % kPerLine == 0 ? ",\n" : ", ");
-    }
+    void add(std::size_t number) { out_ << number << (++count_ % kPerLine == 0 ? ",\n" : ", "); }
     void finish()
     {
         if (count_ % kPerLine != 0) out_ << '\n';
@@ -37,7 +34,8 @@ void writeElements(const std::vector<MeshElement<N>>& elements, std::string_view
 {
     const EntityGroups grouped = groupByEntity(elements);
     for (const EntityGroup& group : grouped.groups) {
-        out << "*ELEMENT, TYPE=" << type << ", ELSET=" << (group.isNamed() ? nameOf(group.entity) : "Unnamed") << '\n';
+        out << "*ELEMENT, TYPE=" << type << ", ELSET=" << (group.isNamed() ? nameOf(group.entity) : "Unnamed")
+            << '\n';
         for (std::uint32_t i = group.first; i < group.last; ++i) {
             out << grouped.order[i] + 1;
             for (const NodeId node : elements[grouped.order[i]].node) out << ", " << node.value + 1;
@@ -96,7 +94,11 @@ bool isInPlaneZ0(const ClassifiedMesh& mesh)
 Result<void> writeAbaqusInp(const ClassifiedMesh& mesh, FileBuffer& out)
 {
     if (mesh.tets.empty() && mesh.triangles.empty()) {
-        return Error{ErrorCode::InvalidArgument, "the mesh has no triangles and no tetrahedra to write as INP", {}, {}, {}};
+        return Error{ErrorCode::InvalidArgument,
+                     "the mesh has no triangles and no tetrahedra to write as INP",
+                     {},
+                     {},
+                     {}};
     }
     out << "*HEADING\nmesh, unit " << mesh.unit << "\n*NODE, NSET=Nall\n";
     for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) {
@@ -114,9 +116,11 @@ Result<void> writeAbaqusInp(const ClassifiedMesh& mesh, FileBuffer& out)
     if (!mesh.tets.empty()) {
         writeNodeSets(mesh.triangles, out);
         writeSurfaces(
-            mesh.triangles, ElementSides::ofTriangles(mesh), [](std::uint8_t side) { return kTetSideLabel[side]; }, out);
+            mesh.triangles, ElementSides::ofTriangles(mesh),
+            [](std::uint8_t side) { return kTetSideLabel[side]; }, out);
     } else if (isPlane) {
-        writeSurfaces(mesh.lines, ElementSides::ofLines(mesh), [](std::uint8_t side) { return side + 1; }, out);
+        writeSurfaces(
+            mesh.lines, ElementSides::ofLines(mesh), [](std::uint8_t side) { return side + 1; }, out);
     }
     return {};
 }

@@ -8,14 +8,15 @@ namespace mesher {
 namespace {
 
 template <std::size_t N>
-void writeElements(const std::vector<MeshElement<N>>& elements, const GmshEntities& entities, std::size_t& nextTag,
-                   FileBuffer& out)
+void writeElements(const std::vector<MeshElement<N>>& elements, const GmshEntities& entities,
+                   std::size_t& nextTag, FileBuffer& out)
 {
     const EntityGroups grouped = groupByEntity(elements);
     for (const EntityGroup& group : grouped.groups) {
         const std::uint32_t tag = entities.tagOf(group.entity);
         for (std::uint32_t i = group.first; i < group.last; ++i) {
-            out << nextTag++ << ' ' << kGmshElementType[N - 1] << " 2 " << (group.isNamed() ? tag : 0) << ' ' << tag;
+            out << nextTag++ << ' ' << kGmshElementType[N - 1] << " 2 " << (group.isNamed() ? tag : 0) << ' '
+                << tag;
             for (const NodeId node : elements[grouped.order[i]].node) out << ' ' << node.value + 1;
             out << '\n';
         }

@@ -44,7 +44,8 @@ void writeNodes(const ClassifiedMesh& mesh, const GmshEntities& entities, FileBu
     const EntityGroups grouped(mesh.nodes.size(),
                                [&](std::uint32_t i) { return entities.placeOf(mesh.nodes[NodeId(i)]); });
     const std::size_t count = mesh.nodes.size();
-    out << "$Nodes\n" << grouped.groups.size() << ' ' << count << ' ' << (count > 0 ? 1 : 0) << ' ' << count << '\n';
+    out << "$Nodes\n"
+        << grouped.groups.size() << ' ' << count << ' ' << (count > 0 ? 1 : 0) << ' ' << count << '\n';
     for (const EntityGroup& group : grouped.groups) {
         out << group.entity.dimension << ' ' << entities.tagOf(group.entity) << " 0 " << group.size() << '\n';
         for (std::uint32_t i = group.first; i < group.last; ++i) out << grouped.order[i] + 1 << '\n';
@@ -61,8 +62,8 @@ void writeBlocks(const std::vector<MeshElement<N>>& elements, const EntityGroups
                  const GmshEntities& entities, std::size_t& nextTag, FileBuffer& out)
 {
     for (const EntityGroup& group : grouped.groups) {
-        out << N - 1 << ' ' << entities.tagOf(group.entity) << ' ' << kGmshElementType[N - 1] << ' ' << group.size()
-            << '\n';
+        out << N - 1 << ' ' << entities.tagOf(group.entity) << ' ' << kGmshElementType[N - 1] << ' '
+            << group.size() << '\n';
         for (std::uint32_t i = group.first; i < group.last; ++i) {
             out << nextTag++;
             for (const NodeId node : elements[grouped.order[i]].node) out << ' ' << node.value + 1;
@@ -79,7 +80,8 @@ void writeElements(const ClassifiedMesh& mesh, const GmshEntities& entities, Fil
     const EntityGroups tets = groupByEntity(mesh.tets);
     const std::size_t blocks =
         points.groups.size() + lines.groups.size() + triangles.groups.size() + tets.groups.size();
-    const std::size_t count = mesh.points.size() + mesh.lines.size() + mesh.triangles.size() + mesh.tets.size();
+    const std::size_t count =
+        mesh.points.size() + mesh.lines.size() + mesh.triangles.size() + mesh.tets.size();
     out << "$Elements\n" << blocks << ' ' << count << ' ' << (count > 0 ? 1 : 0) << ' ' << count << '\n';
     std::size_t nextTag = 1;
     writeBlocks(mesh.points, points, entities, nextTag, out);

@@ -70,7 +70,8 @@ Result<void> writeStlBinary(const ClassifiedMesh& mesh, FileBuffer& out)
         appendSingle(unitNormal(corners), out);
         for (const Vec3& p : corners) appendSingle(p, out);
         const std::uint32_t face = triangle.entity.index + 1;  // the attribute of 16 bits; 0 without a face
-        appendLittleEndian(static_cast<std::uint16_t>(face <= std::numeric_limits<std::uint16_t>::max() ? face : 0), out);
+        appendLittleEndian(
+            static_cast<std::uint16_t>(face <= std::numeric_limits<std::uint16_t>::max() ? face : 0), out);
     }
     return {};
 }

@@ -11,7 +11,8 @@ namespace {
 constexpr std::array<int, 5> kVtkType = {0, 1, 3, 5, 10};  // by number of nodes
 
 /// SU2 numbers from 0 and wants no node that is in no element.
-IdVector<NodeId, std::uint32_t> numberNodes(const ClassifiedMesh& mesh, bool isVolume, std::vector<NodeId>& used)
+IdVector<NodeId, std::uint32_t> numberNodes(const ClassifiedMesh& mesh, bool isVolume,
+                                            std::vector<NodeId>& used)
 {
     constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
     IdVector<NodeId, std::uint32_t> number(mesh.nodes.size(), kUnused);
@@ -34,7 +35,8 @@ IdVector<NodeId, std::uint32_t> numberNodes(const ClassifiedMesh& mesh, bool isV
 }
 
 template <std::size_t N>
-void writeElement(const MeshElement<N>& element, const IdVector<NodeId, std::uint32_t>& number, FileBuffer& out)
+void writeElement(const MeshElement<N>& element, const IdVector<NodeId, std::uint32_t>& number,
+                  FileBuffer& out)
 {
     out << kVtkType[N];
     for (const NodeId node : element.node) out << ' ' << number[node];
@@ -63,7 +65,8 @@ void writeMarkers(const std::vector<MeshElement<N>>& elements, const ElementSide
         for (std::uint32_t i = group.first; i < group.last; ++i) {
             if (sides.of(grouped.order[i]).size() == 1) outer.push_back(grouped.order[i]);
         }
-        if (!outer.empty()) markers.emplace_back(group.isNamed() ? nameOf(group.entity) : "unnamed", std::move(outer));
+        if (!outer.empty())
+            markers.emplace_back(group.isNamed() ? nameOf(group.entity) : "unnamed", std::move(outer));
     }
     out << "NMARK= " << markers.size() << '\n';
     for (const auto& [name, members] : markers) {
@@ -90,10 +93,17 @@ Result<void> writeSu2(const ClassifiedMesh& mesh, FileBuffer& out)
     std::vector<NodeId> used;
     const IdVector<NodeId, std::uint32_t> number = numberNodes(mesh, isVolume, used);
     if (used.empty()) {
-        return Error{ErrorCode::InvalidArgument, "the mesh has no triangles and no tetrahedra to write as SU2", {}, {}, {}};
+        return Error{ErrorCode::InvalidArgument,
+                     "the mesh has no triangles and no tetrahedra to write as SU2",
+                     {},
+                     {},
+                     {}};
     }
     if (!isVolume && !isLevel(mesh, used)) {
-        return Error{ErrorCode::InvalidArgument, "SU2 wants a plane mesh at constant z", {}, {},
+        return Error{ErrorCode::InvalidArgument,
+                     "SU2 wants a plane mesh at constant z",
+                     {},
+                     {},
                      "turn the face into the plane z = 0 or mesh the solid"};
     }
     out << "NDIME= " << (isVolume ? 3 : 2) << '\n';

@@ -7,8 +7,9 @@ namespace mesher {
 
 namespace {
 
-constexpr std::array<int, 5> kElementCode = {0, 0, 11, 91, 111};  // rod, thin shell triangle, solid tetrahedron
-constexpr int kElementsInGroup = 8;                               // the code of "element" in a group
+constexpr std::array<int, 5> kElementCode = {0, 0, 11, 91,
+                                             111};  // rod, thin shell triangle, solid tetrahedron
+constexpr int kElementsInGroup = 8;                 // the code of "element" in a group
 constexpr int kNodesInGroup = 7;
 
 /// A number right-aligned in a column of ten.
@@ -33,7 +34,8 @@ void writeCoordinate(double value, FileBuffer& out)
 {
     char digits[32];
     char* end =
-        std::to_chars(std::begin(digits), std::end(digits), value + 0.0, std::chars_format::scientific, 16).ptr;
+        std::to_chars(std::begin(digits), std::end(digits), value + 0.0, std::chars_format::scientific, 16)
+            .ptr;
     for (auto width = end - digits; width < 25; ++width) out << ' ';
     for (char* c = digits; c != end; ++c) out << (*c == 'e' ? 'D' : *c);
 }
@@ -105,7 +107,8 @@ Result<void> writeUnv(const ClassifiedMesh& mesh, FileBuffer& out)
     writeElements(mesh.tets, firstTet, out);
     out << "    -1\n    -1\n  2467\n";
     GroupWriter groups(out);
-    groups.write(mesh.points, kNodesInGroup, [&](std::uint32_t i) { return mesh.points[i].node[0].value + 1; });
+    groups.write(mesh.points, kNodesInGroup,
+                 [&](std::uint32_t i) { return mesh.points[i].node[0].value + 1; });
     groups.write(mesh.lines, kElementsInGroup, [](std::uint32_t i) { return i + 1; });
     groups.write(mesh.triangles, kElementsInGroup, [&](std::uint32_t i) { return firstTriangle + i; });
     groups.write(mesh.tets, kElementsInGroup, [&](std::uint32_t i) { return firstTet + i; });

@@ -98,7 +98,9 @@ template <class Values>
 Result<void> write(const ClassifiedMesh& mesh, FileBuffer& out)
 {
     Values values{out};
-    out << "# vtk DataFile Version 3.0\n" << titleLine(mesh) << '\n' << Values::kKind << "\nDATASET UNSTRUCTURED_GRID\n";
+    out << "# vtk DataFile Version 3.0\n"
+        << titleLine(mesh) << '\n'
+        << Values::kKind << "\nDATASET UNSTRUCTURED_GRID\n";
     out << "POINTS " << mesh.nodes.size() << " double\n";
     for (const MeshNode& node : mesh.nodes) {
         values.put(node.position.x);
@@ -116,7 +118,13 @@ Result<void> write(const ClassifiedMesh& mesh, FileBuffer& out)
 
 }  // namespace
 
-Result<void> writeVtkText(const ClassifiedMesh& mesh, FileBuffer& out) { return write<TextValues>(mesh, out); }
-Result<void> writeVtkBinary(const ClassifiedMesh& mesh, FileBuffer& out) { return write<BinaryValues>(mesh, out); }
+Result<void> writeVtkText(const ClassifiedMesh& mesh, FileBuffer& out)
+{
+    return write<TextValues>(mesh, out);
+}
+Result<void> writeVtkBinary(const ClassifiedMesh& mesh, FileBuffer& out)
+{
+    return write<BinaryValues>(mesh, out);
+}
 
 }  // namespace mesher

@@ -65,11 +65,13 @@ std::vector<VtuArray> cellArrays(const ClassifiedMesh& mesh)
     return {
         {"Int32", "entity", 1, 4 * cellCount(mesh),
          [&](Base64Encoder& out) {
-             forElements(mesh, [&](const auto& element, std::uint8_t) { out.appendValue(numberOf(element.entity)); });
+             forElements(
+                 mesh, [&](const auto& element, std::uint8_t) { out.appendValue(numberOf(element.entity)); });
          }},
         {"UInt8", "dimension", 1, cellCount(mesh),
          [&](Base64Encoder& out) {
-             forElements(mesh, [&](const auto& element, std::uint8_t) { out.appendValue(element.entity.dimension); });
+             forElements(
+                 mesh, [&](const auto& element, std::uint8_t) { out.appendValue(element.entity.dimension); });
          }},
     };
 }
@@ -93,7 +95,8 @@ std::vector<VtuArray> topologyArrays(const ClassifiedMesh& mesh)
         {"Int64", "connectivity", 1, 8 * references,
          [&](Base64Encoder& out) {
              forElements(mesh, [&](const auto& element, std::uint8_t) {
-                 for (const NodeId node : element.node) out.appendValue(static_cast<std::int64_t>(node.value));
+                 for (const NodeId node : element.node)
+                     out.appendValue(static_cast<std::int64_t>(node.value));
              });
          }},
         {"Int64", "offsets", 1, 8 * cellCount(mesh),
@@ -138,7 +141,8 @@ Result<void> writeVtu(const ClassifiedMesh& mesh, FileBuffer& out)
                                               {"Points", positionArrays(mesh)},
                                               {"Cells", topologyArrays(mesh)}};
     out << "<?xml version=\"1.0\"?>\n"
-           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n"
            "  <UnstructuredGrid>\n    <Piece NumberOfPoints=\""
         << mesh.nodes.size() << "\" NumberOfCells=\"" << cellCount(mesh) << "\">\n";
     std::size_t offset = 0;

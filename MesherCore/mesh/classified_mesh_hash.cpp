@@ -16,10 +16,7 @@ std::uint64_t hashOf(double coordinate)
     return std::bit_cast<std::uint64_t>(coordinate + 0.0);  // -0 and 0 are the same place
 }
 
-std::uint64_t hashOf(EntityRef entity)
-{
-    return std::uint64_t{entity.dimension} << 32 | entity.index;
-}
+std::uint64_t hashOf(EntityRef entity) { return std::uint64_t{entity.dimension} << 32 | entity.index; }
 
 std::uint64_t hashOf(const MeshNode& node)
 {

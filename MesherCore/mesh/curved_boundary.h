@@ -13,9 +13,10 @@ namespace mesher {
 struct CurvedBoundaryPoint
 {
     double parameter = 0.0;
-    Vec3 position;   ///< on the curve, model units
-    Vec3 normal;     ///< unit, in the plane of the mesh, to the right of the growing parameter
-    double weight = 0.0;     ///< of arc length: the weights of an edge sum to its length up to the order of the rule
+    Vec3 position;  ///< on the curve, model units
+    Vec3 normal;    ///< unit, in the plane of the mesh, to the right of the growing parameter
+    double weight =
+        0.0;  ///< of arc length: the weights of an edge sum to its length up to the order of the rule
     double curvature = 0.0;  ///< 1 / model units, positive where the curve turns to the left
 };
 

@@ -78,9 +78,9 @@ void checkClassificationOf(const ClassifiedMesh& mesh, const std::vector<MeshEle
 bool checkReferences(const ClassifiedMesh& mesh, MeshCheckReport& report)
 {
     const std::size_t nodeCount = mesh.nodes.size();
-    report.badReferences = countBadReferences(mesh.points, nodeCount) + countBadReferences(mesh.lines, nodeCount) +
-                           countBadReferences(mesh.triangles, nodeCount) +
-                           countBadReferences(mesh.tets, nodeCount);
+    report.badReferences =
+        countBadReferences(mesh.points, nodeCount) + countBadReferences(mesh.lines, nodeCount) +
+        countBadReferences(mesh.triangles, nodeCount) + countBadReferences(mesh.tets, nodeCount);
     for (const MeshNode& node : mesh.nodes) {
         if (!isComputable(node.position)) ++report.nonFiniteNodes;
     }

@@ -40,7 +40,8 @@ template <std::size_t N>
 {
     std::vector<SideRecord<N>> records;
     records.reserve(elements.size());
-    for (std::uint32_t i = 0; i < elements.size(); ++i) records.push_back({sortedKey(elements[i].node), i, 0});
+    for (std::uint32_t i = 0; i < elements.size(); ++i)
+        records.push_back({sortedKey(elements[i].node), i, 0});
     std::sort(records.begin(), records.end());
     return records;
 }
@@ -58,7 +59,8 @@ void forRuns(const std::vector<SideRecord<N>>& records, Visit visit)
 }
 
 template <std::size_t N>
-[[nodiscard]] bool containsKey(const std::vector<SideRecord<N>>& records, const std::array<std::uint32_t, N>& key)
+[[nodiscard]] bool containsKey(const std::vector<SideRecord<N>>& records,
+                               const std::array<std::uint32_t, N>& key)
 {
     const auto found = std::lower_bound(records.begin(), records.end(), key,
                                         [](const SideRecord<N>& r, const auto& k) { return r.key < k; });

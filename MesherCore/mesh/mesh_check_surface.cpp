@@ -16,7 +16,8 @@ constexpr double kPlanarity = 1e-9;
 Vec3 doubleArea(const ClassifiedMesh& mesh, const MeshElement<3>& triangle)
 {
     const Vec3 origin = mesh.nodes[triangle.node[0]].position;
-    return cross(mesh.nodes[triangle.node[1]].position - origin, mesh.nodes[triangle.node[2]].position - origin);
+    return cross(mesh.nodes[triangle.node[1]].position - origin,
+                 mesh.nodes[triangle.node[2]].position - origin);
 }
 
 /// What the triangles of one face have in common.
@@ -108,10 +109,12 @@ void checkEdgeInFace(const ClassifiedMesh& mesh, std::span<const SideRecord<2>> 
 }
 
 /// The records of one edge, grouped by face.
-void checkEdge(const ClassifiedMesh& mesh, std::vector<SideRecord<2>> uses, bool hasLine, MeshCheckReport& report)
+void checkEdge(const ClassifiedMesh& mesh, std::vector<SideRecord<2>> uses, bool hasLine,
+               MeshCheckReport& report)
 {
     const auto faceOf = [&](const SideRecord<2>& use) { return mesh.triangles[use.owner].entity.index; };
-    std::stable_sort(uses.begin(), uses.end(), [&](const auto& a, const auto& b) { return faceOf(a) < faceOf(b); });
+    std::stable_sort(uses.begin(), uses.end(),
+                     [&](const auto& a, const auto& b) { return faceOf(a) < faceOf(b); });
     std::size_t faceCount = 0;
     for (std::size_t first = 0; first < uses.size(); ++faceCount) {
         std::size_t last = first + 1;
@@ -141,8 +144,8 @@ void checkSurface(const ClassifiedMesh& mesh, MeshCheckReport& report)
     forRuns<2>(edges, [&](std::size_t first, std::size_t last) {
         const bool hasLine = containsKey(lines, edges[first].key);
         const std::span<const SideRecord<2>> uses(edges.data() + first, last - first);
-        const bool isInsideFace = uses.size() == 2 && mesh.triangles[uses[0].owner].entity ==
-                                                          mesh.triangles[uses[1].owner].entity;
+        const bool isInsideFace =
+            uses.size() == 2 && mesh.triangles[uses[0].owner].entity == mesh.triangles[uses[1].owner].entity;
         if (isInsideFace) {
             checkEdgeInFace(mesh, uses, report);
         } else {

@@ -79,8 +79,9 @@ struct VolumeCheck
     void checkTriangles(const std::vector<SideRecord<3>>& sides)
     {
         for (const SideRecord<3>& record : triangles) {
-            const auto found = std::lower_bound(sides.begin(), sides.end(), record.key,
-                                                [](const SideRecord<3>& s, const auto& key) { return s.key < key; });
+            const auto found =
+                std::lower_bound(sides.begin(), sides.end(), record.key,
+                                 [](const SideRecord<3>& s, const auto& key) { return s.key < key; });
             if (found == sides.end() || found->key != record.key) {
                 ++report.trianglesNotFaces;
                 continue;
@@ -124,8 +125,9 @@ void checkVolume(const ClassifiedMesh& mesh, MeshCheckReport& report)
         for (std::uint8_t k = 0; k < 4; ++k) sides.push_back({sortedKey(sideOf(mesh.tets[i], k)), i, k});
     }
     std::sort(sides.begin(), sides.end());
-    forRuns<3>(sides,
-               [&](std::size_t first, std::size_t last) { check.checkSide({sides.data() + first, last - first}); });
+    forRuns<3>(sides, [&](std::size_t first, std::size_t last) {
+        check.checkSide({sides.data() + first, last - first});
+    });
     check.checkTriangles(sides);
     check.checkBoundary();
 }

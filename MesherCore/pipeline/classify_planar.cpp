@@ -79,7 +79,8 @@ private:
     {
         forMeshedTriangles([&](const Triangle2d& triangle) {
             result_.mesh.triangles.push_back(
-                {{nodeOf_[triangle.v[0]], nodeOf_[triangle.v[1]], nodeOf_[triangle.v[2]]}, faceOf(triangle.region)});
+                {{nodeOf_[triangle.v[0]], nodeOf_[triangle.v[1]], nodeOf_[triangle.v[2]]},
+                 faceOf(triangle.region)});
         });
     }
 

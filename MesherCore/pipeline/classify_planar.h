@@ -18,7 +18,7 @@ struct PlanarMesh
 /// counterclockwise in the complex's plane. Nodes on points and curves have the exact places of those; the parameters of nodes
 /// inside of a face are their coordinates in the complex's plane.
 /// Cost         linear, and a sort of the lines
-[[nodiscard]] PlanarMesh classifyPlanar(const PlanarCurveComplex& complex, const PlanarTriangulation& triangulation,
-                                        int boundaryOrder);
+[[nodiscard]] PlanarMesh classifyPlanar(const PlanarCurveComplex& complex,
+                                        const PlanarTriangulation& triangulation, int boundaryOrder);
 
 }  // namespace mesher

@@ -24,7 +24,8 @@ std::vector<GaussNode> gaussRule(int order)
 
 }  // namespace
 
-std::vector<CurvedBoundaryPoint> gaussPointsOn(const Curve& curve, Interval part, const Vec3& planeNormal, int order)
+std::vector<CurvedBoundaryPoint> gaussPointsOn(const Curve& curve, Interval part, const Vec3& planeNormal,
+                                               int order)
 {
     MESHER_PRECONDITION(order >= 2 && order <= 4);
     std::vector<CurvedBoundaryPoint> points;

@@ -12,8 +12,8 @@ namespace mesher {
 /// Guarantees   points and normals of the exact curve; the weights sum to the length of the part up to an error of the fifth
 ///              (order 2: third) power of its parameter length
 /// Requires     2 <= order <= 4; a curve in a plane across `planeNormal` (of length 1)
-[[nodiscard]] std::vector<CurvedBoundaryPoint> gaussPointsOn(const Curve& curve, Interval part, const Vec3& planeNormal,
-                                                             int order);
+[[nodiscard]] std::vector<CurvedBoundaryPoint> gaussPointsOn(const Curve& curve, Interval part,
+                                                             const Vec3& planeNormal, int order);
 
 /// Fills in the points of the edge and of its halves from its parameters.
 void placeGaussPoints(const Curve& curve, const Vec3& planeNormal, int order, CurvedBoundaryEdge& edge);

@@ -21,7 +21,8 @@ constexpr double kUncertainty = 2.0;
 std::string rounded(double value)
 {
     char digits[32];
-    return {digits, std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::general, 3).ptr};
+    return {digits,
+            std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::general, 3).ptr};
 }
 
 }  // namespace
@@ -56,8 +57,11 @@ Result<void> checkAffordable(const MeshEstimate& estimate, const MeshOptions& op
     if (estimate.elements <= kUncertainty * static_cast<double>(options.maxElements)) return {};
     return Error{ErrorCode::OutOfRange,
                  "about " + rounded(estimate.elements) + " elements and " + rounded(estimate.bytes / 1e9) +
-                     " GB of memory would be needed, more than --max-elements " + std::to_string(options.maxElements),
-                 "model", {}, "choose a larger --size or raise --max-elements"};
+                     " GB of memory would be needed, more than --max-elements " +
+                     std::to_string(options.maxElements),
+                 "model",
+                 {},
+                 "choose a larger --size or raise --max-elements"};
 }
 
 }  // namespace mesher

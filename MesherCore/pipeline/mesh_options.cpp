@@ -33,7 +33,8 @@ Result<void> checkRange(std::string_view option, double value, double low, doubl
 Result<void> checkSize(std::string_view option, double value)
 {
     if (value > 0.0 && value < kInfinity) return {};
-    return optionError(option, "the size " + text(value) + " makes no sense", "give a length above 0 in model units");
+    return optionError(option, "the size " + text(value) + " makes no sense",
+                       "give a length above 0 in model units");
 }
 
 Result<void> checkNotNegative(std::string_view option, double value)
@@ -50,12 +51,14 @@ Result<void> validateSizes(const MeshOptions& options)
     if (options.minSize) {
         if (auto r = checkSize("min-size", *options.minSize); !r) return r;
         if (options.size && *options.minSize > *options.size) {
-            return optionError("min-size", "is larger than --size", "give a length of at most " + text(*options.size));
+            return optionError("min-size", "is larger than --size",
+                               "give a length of at most " + text(*options.size));
         }
     }
     for (const LocalSize& local : options.localSizes) {
         if (local.size > 0.0 && local.size < kInfinity) continue;
-        return optionError("local-size", "the size " + text(local.size) + " of " + local.entity + " makes no sense",
+        return optionError("local-size",
+                           "the size " + text(local.size) + " of " + local.entity + " makes no sense",
                            "give a length above 0 in model units");
     }
     if (auto r = checkNotNegative("sag", options.sag); !r) return r;
@@ -81,16 +84,19 @@ Result<void> validateRun(const MeshOptions& options)
 Result<void> validate(const MeshOptions& options)
 {
     if (options.dimension != 2 && options.dimension != 3) {
-        return optionError("dimension", std::to_string(options.dimension) + " is no dimension of a mesh", "give 2 or 3");
+        return optionError("dimension", std::to_string(options.dimension) + " is no dimension of a mesh",
+                           "give 2 or 3");
     }
     if (options.order != 1 && options.order != 2) {
-        return optionError("order", std::to_string(options.order) + " is no order of elements", "give 1 or 2");
+        return optionError("order", std::to_string(options.order) + " is no order of elements",
+                           "give 1 or 2");
     }
     if (auto r = validateSizes(options); !r) return r;
     if (auto r = checkRange("min-angle", options.minAngle, 0.0, 45.0); !r) return r;
     if (auto r = checkRange("max-turn", options.maxTurn, 30.0, 90.0); !r) return r;
     if (options.threshold) {
-        if (auto r = checkRange("threshold", *options.threshold, std::numeric_limits<double>::min(), 1.0); !r) return r;
+        if (auto r = checkRange("threshold", *options.threshold, std::numeric_limits<double>::min(), 1.0); !r)
+            return r;
     }
     return validateRun(options);
 }

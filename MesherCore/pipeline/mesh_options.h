@@ -31,7 +31,7 @@ struct MeshOptions
     double refinement = 1.0;        ///< R: boundary size is local feature size / R; 1 … 1000. DEFAULT: 1
     double grading = 1.0;           ///< G: sizes grow by at most distance / G; 0.01 … 1000. DEFAULT: 1
     std::vector<LocalSize> localSizes;
-    std::string background;         ///< .msh or .vtu file with a number at each node, the size. DEFAULT: none
+    std::string background;  ///< .msh or .vtu file with a number at each node, the size. DEFAULT: none
     ///@}
 
     /// \name Quality
@@ -39,17 +39,18 @@ struct MeshOptions
     double minAngle = 30.0;  ///< of triangles, degrees, 0 … 45; proven to end up to 25.7. DEFAULT: 30
     double maxTurn = 90.0;   ///< of the tangent along an edge of a curve, degrees, 30 … 90. DEFAULT: 90
     TetMeasure measure = TetMeasure::MinimumDihedralSine;  ///< of tetrahedra. DEFAULT: q2
-    std::optional<double> threshold;  ///< score below which a tetrahedron is refined; (0, 1]. DEFAULT: of the measure
-    bool isImproved = true;           ///< DEFAULT: true
-    int order = 1;                    ///< of elements, 1 or 2. DEFAULT: 1
+    std::optional<double>
+        threshold;           ///< score below which a tetrahedron is refined; (0, 1]. DEFAULT: of the measure
+    bool isImproved = true;  ///< DEFAULT: true
+    int order = 1;           ///< of elements, 1 or 2. DEFAULT: 1
     ///@}
 
     /// \name Run
     ///@{
-    unsigned threads = 1;                       ///< 1 … 1024; the mesh does not depend on it. DEFAULT: 1
-    std::uint64_t maxElements = 50'000'000;     ///< 1 … 10^9; the run ends there. DEFAULT: 50 million
-    std::optional<double> timeout;              ///< seconds, > 0. DEFAULT: none
-    bool isChecked = false;                     ///< the mesh is checked as a whole before it is handed out. DEFAULT: false
+    unsigned threads = 1;                    ///< 1 … 1024; the mesh does not depend on it. DEFAULT: 1
+    std::uint64_t maxElements = 50'000'000;  ///< 1 … 10^9; the run ends there. DEFAULT: 50 million
+    std::optional<double> timeout;           ///< seconds, > 0. DEFAULT: none
+    bool isChecked = false;  ///< the mesh is checked as a whole before it is handed out. DEFAULT: false
     ///@}
 };
 

@@ -23,7 +23,11 @@ void fail(MeshReport& report, Error error)
 Result<void> checkSupported(const MeshOptions& options)
 {
     if (options.order != 1) {
-        return Error{ErrorCode::InvalidArgument, "is not yet there for plane meshes", "--order 2", {}, "leave the option out"};
+        return Error{ErrorCode::InvalidArgument,
+                     "is not yet there for plane meshes",
+                     "--order 2",
+                     {},
+                     "leave the option out"};
     }
     return {};
 }
@@ -54,7 +58,8 @@ void tellCounts(const PlanarResult& result, MeshReport& report)
 std::string limitMessage(StopReason reason, const MeshOptions& options)
 {
     switch (reason) {
-        case StopReason::ElementLimit: return "the limit of " + std::to_string(options.maxElements) + " elements is reached";
+        case StopReason::ElementLimit:
+            return "the limit of " + std::to_string(options.maxElements) + " elements is reached";
         case StopReason::TimeLimit: return "the time limit is reached";
         case StopReason::Cancelled: return "the run was cancelled";
         case StopReason::CannotImprove: return "the mesh cannot be improved any further";
@@ -66,9 +71,13 @@ void tellStop(StopReason reason, MeshReport& report)
 {
     report.stopReason = reason;
     if (reason == StopReason::Done) return;
-    report.status = reason == StopReason::Cancelled ? MeshReport::Status::Cancelled : MeshReport::Status::Failed;
+    report.status =
+        reason == StopReason::Cancelled ? MeshReport::Status::Cancelled : MeshReport::Status::Failed;
     const bool isElements = reason == StopReason::ElementLimit;
-    report.failures.push_back({ErrorCode::OutOfRange, limitMessage(reason, report.options), "model", {},
+    report.failures.push_back({ErrorCode::OutOfRange,
+                               limitMessage(reason, report.options),
+                               "model",
+                               {},
                                reason == StopReason::Cancelled ? ""
                                : isElements ? "choose a larger --size or raise --max-elements"
                                             : "choose a larger --size or raise --timeout"});
@@ -77,7 +86,10 @@ void tellStop(StopReason reason, MeshReport& report)
 void checkWhole(const ClassifiedMesh& mesh, MeshReport& report)
 {
     for (const std::string& problem : checkMesh(mesh).problems()) {
-        fail(report, {ErrorCode::InvalidArgument, "the check of the mesh found " + problem, "mesh", {},
+        fail(report, {ErrorCode::InvalidArgument,
+                      "the check of the mesh found " + problem,
+                      "mesh",
+                      {},
                       "report this model as a fault of the mesher"});
     }
 }
@@ -101,7 +113,8 @@ PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* fie
 }
 
 PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
-                             std::shared_ptr<const SizingField> background, int boundaryOrder, RunContext& context)
+                             std::shared_ptr<const SizingField> background, int boundaryOrder,
+                             RunContext& context)
 {
     PlanarMeshOutcome outcome;
     MeshReport& report = outcome.report;
@@ -113,7 +126,8 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
         fail(report, possible.error());
         return outcome;
     }
-    const Result<std::shared_ptr<const SizingField>> sizes = planarSizes(complex, options, std::move(background));
+    const Result<std::shared_ptr<const SizingField>> sizes =
+        planarSizes(complex, options, std::move(background));
     if (!sizes) {
         fail(report, sizes.error());
         return outcome;
@@ -127,7 +141,8 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
     tellCounts(result.value(), report);
     tellStop(result.value().stopReason, report);
     // A run that ends early may not have got as far as a triangulation of the boundary.
-    if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0) return outcome;
+    if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0)
+        return outcome;
     outcome.result = classifyPlanar(complex, result.value().triangulation, boundaryOrder);
     describeMesh(outcome.result->mesh, report);
     if (options.isChecked) checkWhole(outcome.result->mesh, report);

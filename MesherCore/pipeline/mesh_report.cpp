@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-
 namespace mesher {
 
 namespace {
@@ -25,7 +24,8 @@ std::string_view nameOf(MeshReport::Status status)
 std::string hexadecimal(std::uint64_t value)
 {
     std::string digits(16, '0');
-    for (std::size_t i = digits.size(); i > 0; --i, value >>= 4) digits[i - 1] = "0123456789abcdef"[value & 15u];
+    for (std::size_t i = digits.size(); i > 0; --i, value >>= 4)
+        digits[i - 1] = "0123456789abcdef"[value & 15u];
     return digits;
 }
 
@@ -45,7 +45,8 @@ Json objectOf(const Pairs& pairs)
 
 Json toJson(const Error& error)
 {
-    Json json = {{"entity", error.entity}, {"point", nullptr}, {"reason", error.message}, {"remedy", error.remedy}};
+    Json json = {
+        {"entity", error.entity}, {"point", nullptr}, {"reason", error.message}, {"remedy", error.remedy}};
     if (error.point) json["point"] = {error.point->x, error.point->y, error.point->z};
     return json;
 }

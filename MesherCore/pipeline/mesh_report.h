@@ -19,8 +19,8 @@ struct MeshReport
 {
     enum class Status
     {
-        Done,       ///< a mesh as it was asked for
-        Failed,     ///< none, or one that a limit ended
+        Done,    ///< a mesh as it was asked for
+        Failed,  ///< none, or one that a limit ended
         Cancelled
     };
 

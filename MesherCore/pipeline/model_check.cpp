@@ -19,7 +19,8 @@ bool isInModel(EntityRef entity, const BrepModel& model)
 {
     const std::array<std::size_t, 4> counts = {model.vertices.size(), model.edges.size(), model.faces.size(),
                                                model.solids.size()};
-    return entity.index == EntityRef::kNone || (entity.dimension < 4 && entity.index < counts[entity.dimension]);
+    return entity.index == EntityRef::kNone ||
+           (entity.dimension < 4 && entity.index < counts[entity.dimension]);
 }
 
 /// Of a node from its own vertex, edge or face; nothing inside of a solid.
@@ -46,8 +47,9 @@ std::optional<Distance> distanceOf(const MeshNode& node, const BrepModel& model)
 template <std::size_t N>
 std::uint64_t countUnknown(const std::vector<MeshElement<N>>& elements, const BrepModel& model)
 {
-    return static_cast<std::uint64_t>(std::count_if(
-        elements.begin(), elements.end(), [&](const auto& element) { return !isInModel(element.entity, model); }));
+    return static_cast<std::uint64_t>(
+        std::count_if(elements.begin(), elements.end(),
+                      [&](const auto& element) { return !isInModel(element.entity, model); }));
 }
 
 /// Vertices at the ends of the edges that the mesh has lines on.
@@ -61,7 +63,8 @@ std::uint64_t countMissingVertices(const ClassifiedMesh& mesh, const BrepModel& 
         isWanted[edge.last.value] = 1;
     }
     for (const MeshNode& node : mesh.nodes) {
-        if (node.entity.dimension == 0 && node.entity.index < isWanted.size()) isWanted[node.entity.index] = 0;
+        if (node.entity.dimension == 0 && node.entity.index < isWanted.size())
+            isWanted[node.entity.index] = 0;
     }
     return static_cast<std::uint64_t>(std::count(isWanted.begin(), isWanted.end(), 1));
 }

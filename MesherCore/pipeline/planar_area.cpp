@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kPanels = 16;
 /// Abscissae in [-1, 1] and weights of the Gauss rule of five points.
-constexpr std::array<double, 5> kAbscissa = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
-                                             0.9061798459386640};
+constexpr std::array<double, 5> kAbscissa = {-0.9061798459386640, -0.5384693101056831, 0.0,
+                                             0.5384693101056831, 0.9061798459386640};
 constexpr std::array<double, 5> kWeight = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                                            0.4786286704993665, 0.2369268850561891};
 

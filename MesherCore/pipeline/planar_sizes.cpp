@@ -35,9 +35,11 @@ std::vector<CurveSample> sampled(const PccCurve& curve)
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         for (int k = i == 0 ? 0 : 1; k <= kPiecesBetweenKnots; ++k) {
             const Interval piece = {cuts[i], cuts[i + 1]};
-            const CurvePoint point = curve.curve->evaluate(piece.at(static_cast<double>(k) / kPiecesBetweenKnots));
+            const CurvePoint point =
+                curve.curve->evaluate(piece.at(static_cast<double>(k) / kPiecesBetweenKnots));
             const double speed = length(point.d1);
-            const double curvature = speed > 0.0 ? length(cross(point.d1, point.d2)) / (speed * speed * speed) : 0.0;
+            const double curvature =
+                speed > 0.0 ? length(cross(point.d1, point.d2)) / (speed * speed * speed) : 0.0;
             samples.push_back({point.position, curvature});
         }
     }
@@ -49,14 +51,18 @@ class PlanarSizeBuilder
 public:
     PlanarSizeBuilder(const PlanarCurveComplex& complex, const MeshOptions& options)
         : complex_(complex), options_(options)
-    {}
+    {
+    }
 
     Result<void> addLocalSizes()
     {
         for (const LocalSize& local : options_.localSizes) {
             if (!addLocal(local)) {
-                return Error{ErrorCode::InvalidArgument, "cannot have a size of its own: it is not an edge or vertex of the domain",
-                             local.entity, {}, "see mesher info for the names of the model"};
+                return Error{ErrorCode::InvalidArgument,
+                             "cannot have a size of its own: it is not an edge or vertex of the domain",
+                             local.entity,
+                             {},
+                             "see mesher info for the names of the model"};
             }
         }
         return {};
@@ -69,7 +75,8 @@ public:
         for (const PccCurve& curve : complex_.curves) {
             addPieces(sampled(curve), [this](double curvature) {
                 double size = kNoSize;
-                if (options_.curvature > 0.0) size = 2.0 * std::numbers::pi / (options_.curvature * curvature);
+                if (options_.curvature > 0.0)
+                    size = 2.0 * std::numbers::pi / (options_.curvature * curvature);
                 if (options_.sag > 0.0) size = std::min(size, std::sqrt(8.0 * options_.sag / curvature));
                 return size;
             });
@@ -119,7 +126,8 @@ private:
     {
         for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
             const double size = sizeOf(std::max(samples[i].curvature, samples[i + 1].curvature));
-            if (size < kNoSize && size > 0.0) attractors_.push_back({samples[i].position, samples[i + 1].position, size});
+            if (size < kNoSize && size > 0.0)
+                attractors_.push_back({samples[i].position, samples[i + 1].position, size});
         }
     }
 
@@ -131,7 +139,8 @@ private:
 
 }  // namespace
 
-Result<std::shared_ptr<const SizingField>> planarSizes(const PlanarCurveComplex& complex, const MeshOptions& options,
+Result<std::shared_ptr<const SizingField>> planarSizes(const PlanarCurveComplex& complex,
+                                                       const MeshOptions& options,
                                                        std::shared_ptr<const SizingField> background)
 {
     PlanarSizeBuilder builder(complex, options);

@@ -13,8 +13,8 @@ namespace mesher {
 /// and vertices, those of the curvature and sag of the curves, and `background` (may be none), not below the least size.
 /// Sizes of curves and points grow by distance / grading. Nothing if the options ask for none.
 /// Refuses      a local size on an entity that is not part of the domain, or on a face of several
-[[nodiscard]] Result<std::shared_ptr<const SizingField>> planarSizes(const PlanarCurveComplex& complex,
-                                                                     const MeshOptions& options,
-                                                                     std::shared_ptr<const SizingField> background);
+[[nodiscard]] Result<std::shared_ptr<const SizingField>>
+planarSizes(const PlanarCurveComplex& complex, const MeshOptions& options,
+            std::shared_ptr<const SizingField> background);
 
 }  // namespace mesher

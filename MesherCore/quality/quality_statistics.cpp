@@ -43,7 +43,8 @@ TriangleQuality triangleQualityOf(const ClassifiedMesh& mesh)
         }
         quality.radiusRatio.add(shape.radiusRatio);
         quality.area.add(shape.area);
-        quality.shortestEdge = i == 0 ? shape.shortestEdge : std::min(quality.shortestEdge, shape.shortestEdge);
+        quality.shortestEdge =
+            i == 0 ? shape.shortestEdge : std::min(quality.shortestEdge, shape.shortestEdge);
         quality.longestEdge = std::max(quality.longestEdge, shape.longestEdge);
         if (shape.minAngle < smallestAngle) {
             smallestAngle = shape.minAngle;

@@ -48,7 +48,8 @@ double circumradiusNumerator(const TetCorners& p)
     const Vec3 a = p[1] - p[0];
     const Vec3 b = p[2] - p[0];
     const Vec3 c = p[3] - p[0];
-    return length(squaredLength(a) * cross(b, c) + squaredLength(b) * cross(c, a) + squaredLength(c) * cross(a, b));
+    return length(squaredLength(a) * cross(b, c) + squaredLength(b) * cross(c, a) +
+                  squaredLength(c) * cross(a, b));
 }
 
 struct FaceAreas
@@ -133,7 +134,8 @@ double score(TetMeasure measure, const TetCorners& p)
     const double volume = sixVolumes / 6.0;
     switch (measure) {
         case TetMeasure::ShortestEdgeToCircumradius:
-            return std::sqrt(3.0 / 8.0) * edgeLengths(p).shortest * 2.0 * sixVolumes / circumradiusNumerator(p);
+            return std::sqrt(3.0 / 8.0) * edgeLengths(p).shortest * 2.0 * sixVolumes /
+                   circumradiusNumerator(p);
         case TetMeasure::MinimumDihedralSine: return minimumDihedralSine(p, sixVolumes);
         case TetMeasure::VolumeLength:
             return 6.0 * kSqrt2 * volume / std::pow(edgeLengths(p).sumOfSquares / 6.0, 1.5);

@@ -89,8 +89,10 @@ private:
             for (p[1] = 0; p[1] < lines_[1]; ++p[1]) {
                 for (p[0] = 0; p[0] < lines_[0]; ++p[0]) {
                     const Vec3 position = {step_ * p[0], step_ * p[1], step_ * p[2]};
-                    const NodeId id = mesh_.nodes.push_back({position, entityOf<1>({p}), {position.x, position.y}});
-                    if (mesh_.nodes[id].entity.dimension == 0) mesh_.points.push_back({{id}, mesh_.nodes[id].entity});
+                    const NodeId id =
+                        mesh_.nodes.push_back({position, entityOf<1>({p}), {position.x, position.y}});
+                    if (mesh_.nodes[id].entity.dimension == 0)
+                        mesh_.points.push_back({{id}, mesh_.nodes[id].entity});
                 }
             }
         }
@@ -114,7 +116,10 @@ private:
         if (seen_.insert(key).second) elements.push_back(element);
     }
 
-    void addLine(const GridPoint& a, const GridPoint& b) { add<2>({std::min(a, b), std::max(a, b)}, mesh_.lines); }
+    void addLine(const GridPoint& a, const GridPoint& b)
+    {
+        add<2>({std::min(a, b), std::max(a, b)}, mesh_.lines);
+    }
 
     void addTriangle(const GridPoint& a, const GridPoint& b, const GridPoint& c)
     {

@@ -13,7 +13,7 @@ struct GridLayout
     std::vector<std::uint32_t> xLevels;  ///< ascending, from 0 to the number of cells
     std::vector<std::uint32_t> yLevels;
     std::vector<std::uint32_t> zLevels;  ///< only one, {0}, for a plane mesh
-    double step = 0.1;                   ///< side of a cell; a coordinate is the step times the number of the grid line
+    double step = 0.1;  ///< side of a cell; a coordinate is the step times the number of the grid line
 };
 
 /// The grid cut into triangles (two a cell) or tetrahedra (six a cell), fully classified; entities are counted by their class

@@ -14,10 +14,9 @@
 namespace mesher {
 namespace {
 
-constexpr const char* kTriangle22 =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
-    "$Nodes\n3\n10 0 0 0\n7 1 0 0\n20 0 1e0 +0\n$EndNodes\n"
-    "$Elements\n1\n5 2 2 0 3 10 7 20\n$EndElements\n";
+constexpr const char* kTriangle22 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                                    "$Nodes\n3\n10 0 0 0\n7 1 0 0\n20 0 1e0 +0\n$EndNodes\n"
+                                    "$Elements\n1\n5 2 2 0 3 10 7 20\n$EndElements\n";
 
 constexpr const char* kSize =
     "$NodeData\n1\n\"size\"\n1\n0.0\n3\n0\n1\n3\n20 0.5\n7 0.25\n10 2\n$EndNodeData\n";
@@ -74,7 +73,8 @@ TEST(ReadGmsh, RefusesWithTheLine)
     expectUnreadable("no mesh", "$MeshFormat is expected");
     expectUnreadable("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "no nodes");
     expectUnreadable(text + replaced(kSize, "20 0.5\n", "20 0.5\n21 1\n"), "$EndNodeData is expected");
-    expectUnreadable(text + replaced(replaced(kSize, "10 2\n", ""), "1\n3\n20", "1\n2\n20"), "no value for node 10");
+    expectUnreadable(text + replaced(replaced(kSize, "10 2\n", ""), "1\n3\n20", "1\n2\n20"),
+                     "no value for node 10");
 }
 
 TEST(ReadMesh, RefusesFilesThatAreNotThere)
@@ -94,7 +94,8 @@ constexpr const char* kVtu =
     "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
     "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n<PointData Scalars='h'>\n"
     "<DataArray type=\"Float64\" Name=\"h\" format=\"ascii\">0.5 0.25 1e-3</DataArray>\n</PointData>\n"
-    "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points>\n"
+    "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 "
+    "0</DataArray></Points>\n"
     "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray>\n"
     "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray>\n"
     "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5</DataArray></Cells>\n"
@@ -112,8 +113,9 @@ TEST(ReadVtu, ReadsTextAndFields)
 TEST(ReadVtu, ReadsInlineBase64WithAHeaderOf32Bits)
 {
     // 4 bytes of length 3, then the bytes 0 1 2 as UInt8 connectivity.
-    const std::string text = replaced(kVtu, "type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2<",
-                                      "type=\"UInt8\" Name=\"connectivity\" format=\"binary\">\n AwAAAAABAg==\n<");
+    const std::string text =
+        replaced(kVtu, "type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2<",
+                 "type=\"UInt8\" Name=\"connectivity\" format=\"binary\">\n AwAAAAABAg==\n<");
     const Result<MeshFile> file = readMeshText(text, ".vtu");
     ASSERT_TRUE(file) << describe(file.error());
     EXPECT_EQ(file.value().mesh.triangles[0].node[2], NodeId(2));
@@ -126,8 +128,10 @@ TEST(ReadVtu, RefusesWithTheOffset)
     expectUnreadable(text.substr(0, 300), "offset", ".vtu");
     expectUnreadable(text.substr(0, text.size() - 40), "cut off", ".vtu");
     expectUnreadable(replaced(text, "LittleEndian", "BigEndian"), "big-endian", ".vtu");
-    expectUnreadable(replaced(text, "\"UnstructuredGrid\"", "\"PolyData\""), "not an unstructured grid", ".vtu");
-    expectUnreadable(replaced(text, "NumberOfPoints=\"3\"", "NumberOfPoints=\"4\""), "as many values", ".vtu");
+    expectUnreadable(replaced(text, "\"UnstructuredGrid\"", "\"PolyData\""), "not an unstructured grid",
+                     ".vtu");
+    expectUnreadable(replaced(text, "NumberOfPoints=\"3\"", "NumberOfPoints=\"4\""), "as many values",
+                     ".vtu");
     expectUnreadable(replaced(text, "NumberOfCells=\"1\"", "NumberOfCells=\"-1\""), "no number", ".vtu");
     expectUnreadable(replaced(text, ">0 1 2<", ">0 1 3<"), "node 3", ".vtu");
     expectUnreadable(replaced(text, ">5<", ">9<"), "type 9", ".vtu");
@@ -149,7 +153,8 @@ std::string sample(std::string_view format, bool isVolume)
 /// Changes, cuts, repeats or removes a few bytes at random places.
 std::string mutated(std::string text, Random& random)
 {
-    static const std::string kTokens[] = {"-1", "0", "99999999999999999999", "nan", "1e999", "$", "\"", "<", ">", "\n", " ", "\0"};
+    static const std::string kTokens[] = {
+        "-1", "0", "99999999999999999999", "nan", "1e999", "$", "\"", "<", ">", "\n", " ", "\0"};
     const std::uint32_t changes = 1 + random.below(4);
     for (std::uint32_t i = 0; i < changes && !text.empty(); ++i) {
         const std::size_t at = random.below(static_cast<std::uint32_t>(text.size()));
@@ -158,7 +163,9 @@ std::string mutated(std::string text, Random& random)
             case 1: text.resize(at); break;
             case 2: text.erase(at, 1 + random.below(20)); break;
             case 3: text.insert(at, kTokens[random.below(std::size(kTokens))]); break;
-            default: text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(60)));
+            default:
+                text.insert(
+                    at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(60)));
         }
     }
     return text;
@@ -170,9 +177,13 @@ TEST(ReadMesh, SurvivesMutatedFiles)
     const char* wanted = std::getenv("MESHER_FUZZ_CASES");
     const int cases = wanted != nullptr ? std::atoi(wanted) : 3000;
     const std::string extra = std::string(kTriangle22) + kSize;
-    const std::pair<std::string, const char*> seeds[] = {
-        {sample("msh", false), ".msh"}, {sample("msh", true), ".msh"}, {sample("msh2", true), ".msh"}, {extra, ".msh"},
-        {sample("vtu", false), ".vtu"}, {sample("vtu", true), ".vtu"}, {kVtu, ".vtu"}};
+    const std::pair<std::string, const char*> seeds[] = {{sample("msh", false), ".msh"},
+                                                         {sample("msh", true), ".msh"},
+                                                         {sample("msh2", true), ".msh"},
+                                                         {extra, ".msh"},
+                                                         {sample("vtu", false), ".vtu"},
+                                                         {sample("vtu", true), ".vtu"},
+                                                         {kVtu, ".vtu"}};
     int accepted = 0;
     for (std::size_t s = 0; s < std::size(seeds); ++s) {
         Random random(1000 + s);

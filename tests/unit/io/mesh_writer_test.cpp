@@ -36,7 +36,8 @@ std::string written(const ClassifiedMesh& mesh, std::string_view format)
 std::size_t countOf(std::string_view text, std::string_view what)
 {
     std::size_t count = 0;
-    for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + 1)) ++count;
+    for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + 1))
+        ++count;
     return count;
 }
 
@@ -56,7 +57,8 @@ ClassifiedMesh roughened(ClassifiedMesh mesh)
     for (MeshNode& node : mesh.nodes) {
         node.position = (1.0 / 3.0) * node.position + Vec3{std::sqrt(2.0), -1e-17, 1e5};
     }
-    mesh.nodes[NodeId(0)].position = {std::numeric_limits<double>::denorm_min(), -1.7976931348623157e308, 5e-324};
+    mesh.nodes[NodeId(0)].position = {std::numeric_limits<double>::denorm_min(), -1.7976931348623157e308,
+                                      5e-324};
     return mesh;
 }
 
@@ -75,7 +77,8 @@ class MeshRoundTrip : public testing::TestWithParam<RoundTrip>
 ClassifiedMesh sortedByEntity(ClassifiedMesh mesh)
 {
     const auto sort = [](auto& elements) {
-        std::stable_sort(elements.begin(), elements.end(), [](const auto& a, const auto& b) { return a.entity < b.entity; });
+        std::stable_sort(elements.begin(), elements.end(),
+                         [](const auto& a, const auto& b) { return a.entity < b.entity; });
     };
     sort(mesh.points);
     sort(mesh.lines);
@@ -108,7 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, MeshRoundTrip,
                                          RoundTrip{"msh2", ".msh", false}, RoundTrip{"msh2", ".msh", true},
                                          RoundTrip{"vtu", ".vtu", false}, RoundTrip{"vtu", ".vtu", true}),
                          [](const auto& each) {
-                             return std::string(each.param.format) + (each.param.isVolume ? "Volume" : "Plane");
+                             return std::string(each.param.format) +
+                                    (each.param.isVolume ? "Volume" : "Plane");
                          });
 
 TEST(MeshRoundTrip, KeepsParametersInVtu)
@@ -130,7 +134,8 @@ TEST(MeshRoundTrip, KeepsWhatHasNoEntity)
         }
         const Result<MeshFile> file = readMeshText(written(mesh, format), ".msh");
         ASSERT_TRUE(file);
-        EXPECT_EQ(checkMesh(file.value().mesh).unclassified, checkMesh(mesh).unclassified + (format[3] == '2' ? 9u : 0u))
+        EXPECT_EQ(checkMesh(file.value().mesh).unclassified,
+                  checkMesh(mesh).unclassified + (format[3] == '2' ? 9u : 0u))
             << format;
     }
 }
@@ -223,7 +228,8 @@ TEST(AbaqusFile, OfAPlaneHasPlaneStressElements)
 TEST(AbaqusFile, NamesTheSideOfATetByItsNodes)
 {
     ClassifiedMesh mesh;
-    for (const Vec3& p : {Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
+    for (const Vec3& p :
+         {Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
         mesh.nodes.push_back({p, {0, static_cast<std::uint32_t>(mesh.nodes.size())}, {}});
     }
     mesh.tets.push_back({{NodeId(0), NodeId(1), NodeId(2), NodeId(3)}, {3, 0}});
@@ -261,7 +267,8 @@ TEST(MeshFormats, AreFoundByExtensionAndByName)
 {
     EXPECT_EQ(findFormat("a/b.MSH").value()->name, "msh");
     EXPECT_EQ(findFormat("a/b.msh", "msh2").value()->name, "msh2");
-    for (const MeshFormat& format : meshFormats()) EXPECT_EQ(findFormat("x", format.name).value()->name, format.name);
+    for (const MeshFormat& format : meshFormats())
+        EXPECT_EQ(findFormat("x", format.name).value()->name, format.name);
     const Result<const MeshFormat*> unknown = findFormat("a/b.xyz");
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().code, ErrorCode::InvalidArgument);

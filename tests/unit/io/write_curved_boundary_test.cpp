@@ -27,12 +27,15 @@ TEST(CurvedBoundaryFile, HasTheDocumentedContent)
     std::ostringstream text;
     text << file.rdbuf();
     const std::string one =
-        "  {\"curve\": \"Edge5\", \"nodes\": [1, 7], \"parameters\": [0, 0.1], \"left\": \"Face1\", \"right\": \"\",\n"
+        "  {\"curve\": \"Edge5\", \"nodes\": [1, 7], \"parameters\": [0, 0.1], \"left\": \"Face1\", "
+        "\"right\": \"\",\n"
         "   \"gauss\": [{\"parameter\": 0.05, \"point\": [1, 2, 0], \"normal\": [0, -1, 0], \"weight\": 0.1, "
         "\"curvature\": 0.5}],\n"
         "   \"halves\": [[], []]}";
-    EXPECT_EQ(text.str(), "{\"format\": \"mesher-curved-boundary\", \"version\": 1, \"unit\": \"mm\", \"order\": 2,\n"
-                          " \"edges\": [\n" + one + ",\n" + one + "\n]}\n");
+    EXPECT_EQ(text.str(),
+              "{\"format\": \"mesher-curved-boundary\", \"version\": 1, \"unit\": \"mm\", \"order\": 2,\n"
+              " \"edges\": [\n" +
+                  one + ",\n" + one + "\n]}\n");
 }
 
 }  // namespace

@@ -111,7 +111,8 @@ TEST(MeshCheck, FindsAFlatTriangleByAnExactTest)
 {
     // A triangle whose area is less than a rounding error of the formula in doubles, and an exactly flat one.
     ClassifiedMesh mesh;
-    for (const Vec3& p : {Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 1.0, 0.0}, Vec3{3.0, 3.0, 0.0}, Vec3{0.0, 1.0, 0.0}}) {
+    for (const Vec3& p :
+         {Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 1.0, 0.0}, Vec3{3.0, 3.0, 0.0}, Vec3{0.0, 1.0, 0.0}}) {
         mesh.nodes.push_back({p, {2, 0}, {}});
     }
     mesh.triangles.push_back({{NodeId(0), NodeId(2), NodeId(3)}, {2, 0}});

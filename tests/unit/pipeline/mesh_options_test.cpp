@@ -32,8 +32,14 @@ TEST(MeshOptions, RefuseSizesThatMakeNoSense)
         expectRefused([bad](MeshOptions& o) { o.localSizes = {{"Face1", bad}}; }, "--local-size");
         expectRefused([bad](MeshOptions& o) { o.timeout = bad; }, "--timeout");
     }
-    expectRefused([](MeshOptions& o) { o.size = 1.0; o.minSize = 2.0; }, "--min-size");
-    for (const double bad : {-1.0, kNan, kInfinity}) expectRefused([bad](MeshOptions& o) { o.sag = bad; }, "--sag");
+    expectRefused(
+        [](MeshOptions& o) {
+            o.size = 1.0;
+            o.minSize = 2.0;
+        },
+        "--min-size");
+    for (const double bad : {-1.0, kNan, kInfinity})
+        expectRefused([bad](MeshOptions& o) { o.sag = bad; }, "--sag");
 }
 
 TEST(MeshOptions, RefuseWhatIsOutOfRange)

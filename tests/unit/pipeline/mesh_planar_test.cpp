@@ -59,7 +59,8 @@ TEST(MeshPlanar, GivesGaussPointsThatEncloseTheExactArea)
     double area = 0.0;
     for (const CurvedBoundaryEdge& edge : outcome.result->boundary.edges) {
         const double outward = edge.left == EntityRef{2, 0} ? 1.0 : -1.0;
-        for (const CurvedBoundaryPoint& p : edge.points) area += 0.5 * outward * p.weight * dot(p.position, p.normal);
+        for (const CurvedBoundaryPoint& p : edge.points)
+            area += 0.5 * outward * p.weight * dot(p.position, p.normal);
     }
     EXPECT_NEAR(area, 3.0 * std::numbers::pi, 1e-12);
 }
@@ -103,7 +104,8 @@ TEST(MeshPlanar, SurvivesALimitAtAnyPlace)
         RunContext context;
         MeshOptions options = sized(0.1);
         options.maxElements = limit;
-        EXPECT_EQ(meshPlanar(annulus(), options, nullptr, 4, context).report.status, MeshReport::Status::Failed);
+        EXPECT_EQ(meshPlanar(annulus(), options, nullptr, 4, context).report.status,
+                  MeshReport::Status::Failed);
     }
     RunContext context;
     MeshOptions options = sized(0.1);

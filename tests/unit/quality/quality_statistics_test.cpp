@@ -61,8 +61,9 @@ TEST(TetQuality, OfKuhnsTetrahedra)
     EXPECT_NEAR(quality.dihedral.largest(), 90.0, 1e-9);
     EXPECT_NEAR(quality.volume.mean() * static_cast<double>(mesh.tets.size()), 0.4 * 0.2 * 0.2, 1e-14);
     EXPECT_NEAR(quality.radiusRatio.least(), quality.radiusRatio.largest(), 1e-9);
-    EXPECT_EQ(std::accumulate(quality.dihedralHistogram.begin(), quality.dihedralHistogram.end(), std::uint64_t{0}),
-              6 * mesh.tets.size());
+    EXPECT_EQ(
+        std::accumulate(quality.dihedralHistogram.begin(), quality.dihedralHistogram.end(), std::uint64_t{0}),
+        6 * mesh.tets.size());
 }
 
 }  // namespace

@@ -44,14 +44,15 @@ TEST(TetMeasures, ScoreTheCubeCornerAsComputedByHand)
     const double root3 = std::numbers::sqrt3;
     const double areaSum = 1.5 + root3 / 2.0;
     const double inradius = 0.5 / areaSum;
-    EXPECT_NEAR(score(TetMeasure::ShortestEdgeToCircumradius, kCorner), std::sqrt(0.375) * 2.0 / root3, 1e-14);
+    EXPECT_NEAR(score(TetMeasure::ShortestEdgeToCircumradius, kCorner), std::sqrt(0.375) * 2.0 / root3,
+                1e-14);
     EXPECT_NEAR(score(TetMeasure::MinimumDihedralSine, kCorner), std::sqrt(2.0 / 3.0), 1e-14);
     EXPECT_NEAR(score(TetMeasure::VolumeLength, kCorner), root2 / std::pow(1.5, 1.5), 1e-14);
     EXPECT_NEAR(score(TetMeasure::RadiusRatio, kCorner), 6.0 * inradius / root3, 1e-14);
     // At the far corners: dihedral angles 90, acos(1/sqrt 3) twice, so the solid angle is their sum minus pi.
     const double solidAngle = 2.0 * std::acos(1.0 / root3) - std::numbers::pi / 2.0;
-    EXPECT_NEAR(score(TetMeasure::MinimumSolidAngle, kCorner), solidAngle / (3.0 * std::acos(1.0 / 3.0) - std::numbers::pi),
-                1e-14);
+    EXPECT_NEAR(score(TetMeasure::MinimumSolidAngle, kCorner),
+                solidAngle / (3.0 * std::acos(1.0 / 3.0) - std::numbers::pi), 1e-14);
     EXPECT_NEAR(score(TetMeasure::MeanRatio, kCorner), 12.0 * std::pow(0.5, 2.0 / 3.0) / 9.0, 1e-14);
     EXPECT_NEAR(score(TetMeasure::InradiusToLargestAltitude, kCorner), 4.0 * 0.5 / areaSum, 1e-14);
     EXPECT_NEAR(score(TetMeasure::AltitudeToLongestEdge, kCorner), std::sqrt(1.5) / root3 / root2, 1e-14);
@@ -82,7 +83,8 @@ TEST(TetMeasures, SeeASliverExceptForTheFirst)
     for (const TetMeasureInfo& info : kTetMeasures) {
         const bool isBlind = info.measure == TetMeasure::ShortestEdgeToCircumradius;
         if (info.measure == TetMeasure::InradiusToLargestAltitude) continue;
-        EXPECT_EQ(score(info.measure, p) > info.threshold, isBlind) << info.key << ' ' << score(info.measure, p);
+        EXPECT_EQ(score(info.measure, p) > info.threshold, isBlind)
+            << info.key << ' ' << score(info.measure, p);
     }
 }
 
@@ -90,7 +92,8 @@ TEST(DihedralAngles, AreThoseOfTheCubeCorner)
 {
     const std::array<double, 6> angles = dihedralAngles(kCorner);
     const double steep = std::acos(1.0 / std::numbers::sqrt3) * 180.0 / std::numbers::pi;
-    for (std::size_t edge = 0; edge < 6; ++edge) EXPECT_NEAR(angles[edge], edge < 3 ? 90.0 : steep, 1e-12) << edge;
+    for (std::size_t edge = 0; edge < 6; ++edge)
+        EXPECT_NEAR(angles[edge], edge < 3 ? 90.0 : steep, 1e-12) << edge;
 }
 
 TetCorners randomTet(Random& random)
@@ -125,7 +128,8 @@ TEST(TetMeasures, AgreeWithTheDihedralAngles)
     for (int i = 0; i < 200; ++i) {
         const TetCorners p = randomTet(random);
         double sine = 1.0;
-        for (const double angle : dihedralAngles(p)) sine = std::min(sine, std::sin(angle * std::numbers::pi / 180.0));
+        for (const double angle : dihedralAngles(p))
+            sine = std::min(sine, std::sin(angle * std::numbers::pi / 180.0));
         EXPECT_NEAR(score(TetMeasure::MinimumDihedralSine, p), sine, 1e-9);
     }
 }
