@@ -19,6 +19,9 @@ FOREIGN_HEADERS = {
     "base": re.compile(r"sys/mman\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
     "brep/occt": re.compile(r".+\.hxx"),
+    "cli": re.compile(r"boost/program_options\.hpp|unistd\.h"),
+    "io": re.compile(r"fcntl\.h|sys/stat\.h|unistd\.h|zlib\.h"),
+    "pipeline": re.compile(r"nlohmann/json\.hpp"),
 }
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
 INTRINSICS_HEADER = re.compile(r"[a-z]*intrin\.h")

@@ -7,7 +7,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mesher {
@@ -29,6 +31,8 @@ struct EntityRef
 
 /// "Vertex1", "Edge3", "Face6", "Solid1"; empty without an entity.
 [[nodiscard]] std::string nameOf(EntityRef entity);
+/// The entity of such a name; nothing if it is none.
+[[nodiscard]] std::optional<EntityRef> entityNamed(std::string_view name);
 
 struct MeshNode
 {

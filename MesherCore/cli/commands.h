@@ -1,0 +1,32 @@
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/exit_status.h"
+
+#include <ostream>
+#include <span>
+#include <string>
+
+namespace mesher {
+
+/// Where a command talks to.
+struct Console
+{
+    std::ostream& out;
+    std::ostream& err;
+    bool hasProgress = false;  ///< `err` is a terminal
+};
+
+[[nodiscard]] ExitStatus runMesh(const MeshCommand& command, Console console);
+[[nodiscard]] ExitStatus runEstimate(const MeshCommand& command, Console console);
+[[nodiscard]] ExitStatus runCheck(const CheckCommand& command, Console console);
+[[nodiscard]] ExitStatus runInfo(const InfoCommand& command, Console console);
+[[nodiscard]] ExitStatus runDraw(const DrawCommand& command, Console console);
+
+/// Tells the error on `err` as one sentence behind the program's name.
+ExitStatus tell(const Error& error, ExitStatus status, Console console);
+
+/// The program: arguments without its own name.
+[[nodiscard]] ExitStatus runMesher(std::span<const std::string> arguments, Console console);
+
+}  // namespace mesher

@@ -1,0 +1,20 @@
+#include "cli/commands.h"
+
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+int main(int argumentCount, char** arguments)
+{
+    const std::vector<std::string> texts(arguments + (argumentCount > 0 ? 1 : 0), arguments + argumentCount);
+    const mesher::Console console = {std::cout, std::cerr, isatty(STDERR_FILENO) == 1};
+    mesher::ExitStatus status = mesher::runMesher(texts, console);
+    std::cout.flush();
+    if (!std::cout && status == mesher::ExitStatus::Done) {
+        std::cerr << "mesher: the standard output cannot be written.\n";
+        status = mesher::ExitStatus::Failed;
+    }
+    return static_cast<int>(status);
+}

@@ -1,0 +1,292 @@
+#include "brep/occt/read_model.h"
+#include "brep/planar_domain.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "io/mesh_reader.h"
+#include "io/mesh_writer.h"
+#include "io/write_curved_boundary.h"
+#include "io/write_text_file.h"
+#include "pipeline/estimate.h"
+#include "pipeline/mesh_planar.h"
+#include "pipeline/planar_area.h"
+#include "sizing/background_size.h"
+
+#include <chrono>
+#include <iomanip>
+#include <optional>
+
+namespace mesher {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A run of `mesher mesh`: each step returns whether the next one may follow.
+class MeshRun
+{
+public:
+    MeshRun(const MeshCommand& command, Console console)
+        : command_(command),
+          console_(console),
+          progress_(console.err, console.hasProgress),
+          context_(settings()),
+          interrupt_(context_)
+    {
+        report_.options = command.options;
+        report_.modelFile = command.model.string();
+        report_.versions = {{"mesher", MESHER_VERSION}};
+    }
+
+    ExitStatus run()
+    {
+        if (const std::optional<ExitStatus> refused = probeTargets()) return *refused;
+        const bool isDone =
+            readModelFile() && readBackground() && checkBeforehand() && mesh() && writeOutputs();
+        progress_.clear();
+        finishStatus();
+        writeReport();
+        if (isDone) summarise();
+        for (const Error& failure : report_.failures) tell(failure, ExitStatus::Failed, console_);
+        return status_;
+    }
+
+private:
+    RunSettings settings()
+    {
+        RunSettings settings;
+        settings.threads = command_.options.threads;
+        settings.progress = [this](std::string_view stage, double fraction) {
+            progress_.show(stage, fraction);
+            return true;
+        };
+        return settings;
+    }
+
+    void fail(Error error)
+    {
+        if (error.entity.empty()) error.entity = "model";
+        report_.status = MeshReport::Status::Failed;
+        report_.failures.push_back(std::move(error));
+    }
+    bool failIf(const Result<void>& result)
+    {
+        if (!result) fail(result.error());
+        return !result;
+    }
+
+    /// Before anything takes time: formats that are not known are wrong usage, places that cannot be written failures.
+    std::optional<ExitStatus> probeTargets()
+    {
+        for (const OutputTarget& output : command_.outputs) {
+            const Result<const MeshFormat*> format = findFormat(output.path, output.format);
+            if (!format) return tell(format.error(), ExitStatus::Usage, console_);
+        }
+        std::vector<std::filesystem::path> targets;
+        for (const OutputTarget& output : command_.outputs) targets.push_back(output.path);
+        if (command_.report) targets.push_back(*command_.report);
+        if (command_.curvedBoundary) targets.push_back(*command_.curvedBoundary);
+        for (const std::filesystem::path& target : targets) {
+            const Result<void> possible = AtomicFile::probe(target);
+            if (!possible) return tell(possible.error(), ExitStatus::Failed, console_);
+        }
+        return std::nullopt;
+    }
+
+    bool readModelFile()
+    {
+        progress_.show("reading the model", 0.0);
+        interrupt_.enter(InterruptScope::Phase::Immediate);
+        const Clock::time_point start = Clock::now();
+        Result<ReadModel> read = readModel(command_.model, ReadOptions{command_.heals});
+        interrupt_.enter(InterruptScope::Phase::Cooperative);
+        addSeconds("reading", start);
+        if (!read) {
+            fail(read.error());
+            return false;
+        }
+        model_ = std::move(read).value().model;
+        report_.warnings = model_.notes;
+        report_.unit = model_.unit;
+        return true;
+    }
+
+    /// A mesh with one number at each node: the size.
+    bool readBackground()
+    {
+        const std::string& path = command_.options.background;
+        if (path.empty()) return true;
+        Result<MeshFile> file = readMesh(path);
+        if (!file) {
+            fail(file.error());
+            return false;
+        }
+        if (file->fields.empty()) {
+            fail({ErrorCode::Unreadable,
+                  "has no number at its nodes to take as the size",
+                  path,
+                  {},
+                  "add a nodal field to the mesh"});
+            return false;
+        }
+        BackgroundMesh background;
+        for (const MeshNode& node : file->mesh.nodes) background.nodes.push_back(node.position);
+        background.sizes = std::move(file->fields.front().values);
+        for (const auto& [node, entity] : file->mesh.triangles) {
+            background.triangles.push_back({node[0].value, node[1].value, node[2].value});
+        }
+        for (const auto& [node, entity] : file->mesh.tets) {
+            background.tets.push_back({node[0].value, node[1].value, node[2].value, node[3].value});
+        }
+        Result<std::shared_ptr<const BackgroundSize>> sizes = BackgroundSize::make(std::move(background));
+        if (!sizes) {
+            fail(sizes.error());
+            return false;
+        }
+        background_ = std::move(sizes).value();
+        return true;
+    }
+
+    bool checkBeforehand()
+    {
+        if (command_.options.dimension == 3) {
+            fail({ErrorCode::InvalidArgument,
+                  "solids are not yet meshed",
+                  "model",
+                  {},
+                  "mesh plane faces with --dimension 2"});
+            return false;
+        }
+        double area = 0.0;
+        for (std::uint32_t i = 0; i < model_.faces.size(); ++i)
+            area += planarArea(model_, BrepFaceId(i)).value_or(0.0);
+        report_.modelArea = area;
+        return !failIf(checkAffordable(estimatePlanar(model_, command_.options), command_.options));
+    }
+
+    /// All faces of the model, if none of them is turned against the first.
+    std::optional<std::vector<BrepFaceId>> facesInOnePlane()
+    {
+        constexpr double kLargestTurn = 1e-6;  // radians; the exact test is that of planarCurveComplex
+        std::vector<BrepFaceId> faces;
+        std::optional<PlaneFrame> first;
+        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
+            const std::optional<PlaneFrame> frame = model_.faces[BrepFaceId(i)].surface->planeFrame();
+            if (!first) first = frame;
+            if (frame && length(cross(frame->normal, first->normal)) > kLargestTurn) {
+                fail({ErrorCode::InvalidArgument, "lies in another plane than the faces before it",
+                      nameOf(BrepFaceId(i)), frame->origin, "mesh the faces of each plane on their own"});
+                return std::nullopt;
+            }
+            faces.push_back(BrepFaceId(i));
+        }
+        return faces;
+    }
+
+    bool mesh()
+    {
+        const std::optional<std::vector<BrepFaceId>> faces = facesInOnePlane();
+        if (!faces) return false;
+        const Result<PlanarCurveComplex> complex = planarCurveComplex(model_, *faces);
+        if (!complex) {
+            fail(complex.error());
+            return false;
+        }
+        PlanarMeshOutcome outcome =
+            meshPlanar(complex.value(), command_.options, background_, command_.boundaryOrder, context_);
+        takeReport(std::move(outcome.report));
+        result_ = std::move(outcome.result);
+        if (result_) result_->mesh.title = command_.model.filename().string();
+        const bool isWhole = report_.status == MeshReport::Status::Done;
+        const bool isPartial =
+            report_.stopReason != StopReason::Done && report_.status == MeshReport::Status::Failed;
+        return result_.has_value() && (isWhole || (isPartial && command_.keepsPartial));
+    }
+
+    /// What the program knows beside the mesher's own report.
+    void takeReport(MeshReport report)
+    {
+        report.modelFile = std::move(report_.modelFile);
+        report.modelArea = report_.modelArea;
+        report.warnings.insert(report.warnings.begin(), report_.warnings.begin(), report_.warnings.end());
+        report.seconds.insert(report.seconds.begin(), report_.seconds.begin(), report_.seconds.end());
+        report.unit = report_.unit;
+        report_ = std::move(report);
+    }
+
+    bool writeOutputs()
+    {
+        const Clock::time_point start = Clock::now();
+        result_->mesh.unit = model_.unit;
+        result_->boundary.unit = model_.unit;
+        for (const OutputTarget& output : command_.outputs) {
+            if (!context_.reportProgress("writing", 0.0)) {
+                report_.status = MeshReport::Status::Cancelled;
+                report_.stopReason = StopReason::Cancelled;
+                return false;
+            }
+            if (failIf(writeMesh(result_->mesh, output.path, output.format))) return false;
+        }
+        if (command_.curvedBoundary &&
+            failIf(writeCurvedBoundary(result_->boundary, *command_.curvedBoundary))) {
+            return false;
+        }
+        addSeconds("writing", start);
+        return true;
+    }
+
+    void finishStatus()
+    {
+        if (context_.isCancelled()) report_.status = MeshReport::Status::Cancelled;
+        status_ = report_.status == MeshReport::Status::Done        ? ExitStatus::Done
+                  : report_.status == MeshReport::Status::Cancelled ? ExitStatus::Cancelled
+                                                                    : ExitStatus::Failed;
+    }
+
+    void writeReport()
+    {
+        if (!command_.report) return;
+        const Result<void> written = writeTextFile(toJson(report_), *command_.report);
+        if (written) return;
+        tell(written.error(), ExitStatus::Failed, console_);
+        if (status_ == ExitStatus::Done) status_ = ExitStatus::Failed;
+    }
+
+    void summarise()
+    {
+        if (!report_.triangleQuality) return;
+        const TriangleQuality& quality = *report_.triangleQuality;
+        double total = 0.0;
+        for (const auto& [stage, seconds] : report_.seconds) total += seconds;
+        console_.out << result_->mesh.nodes.size() << " nodes, " << result_->mesh.triangles.size()
+                     << " triangles, angles from " << std::fixed << std::setprecision(2)
+                     << quality.angle.least() << " to " << quality.angle.largest() << " degrees, " << total
+                     << " s\n";
+        for (const OutputTarget& output : command_.outputs)
+            console_.out << "wrote " << output.path.string() << '\n';
+        for (const std::string& warning : report_.warnings)
+            console_.err << "mesher: note: " << warning << '\n';
+    }
+
+    void addSeconds(const char* stage, Clock::time_point start)
+    {
+        report_.seconds.emplace_back(stage, std::chrono::duration<double>(Clock::now() - start).count());
+    }
+
+    const MeshCommand& command_;
+    Console console_;
+    ProgressLine progress_;
+    RunContext context_;
+    InterruptScope interrupt_;
+    MeshReport report_;
+    BrepModel model_;
+    std::shared_ptr<const SizingField> background_;
+    std::optional<PlanarMesh> result_;
+    ExitStatus status_ = ExitStatus::Done;
+};
+
+}  // namespace
+
+ExitStatus runMesh(const MeshCommand& command, Console console) { return MeshRun(command, console).run(); }
+
+}  // namespace mesher

@@ -1,0 +1,72 @@
+#include "cli/commands.h"
+#include "io/mesh_writer.h"
+
+#include <new>
+
+namespace mesher {
+
+namespace {
+
+template <class Command>
+ExitStatus parseAndRun(Result<Command> command, ExitStatus (*run)(const Command&, Console), Console console)
+{
+    if (!command) return tell(command.error(), ExitStatus::Usage, console);
+    return run(command.value(), console);
+}
+
+ExitStatus listFormats(Console console)
+{
+    for (const MeshFormat& format : meshFormats()) {
+        console.out << format.name << std::string(12 - format.name.size(), ' ') << format.extension << "  "
+                    << format.description << '\n';
+    }
+    return ExitStatus::Done;
+}
+
+ExitStatus dispatch(std::span<const std::string> arguments, Console console)
+{
+    const std::string command = arguments.empty() ? std::string() : arguments.front();
+    if (command == "--help" || command == "-h" || command == "help") {
+        console.out << usageText();
+        return ExitStatus::Done;
+    }
+    if (command == "--version") {
+        console.out << "mesher " << MESHER_VERSION << '\n';
+        return ExitStatus::Done;
+    }
+    if (command == "formats") return listFormats(console);
+    if (command == "mesh") return parseAndRun(parseMeshCommand(arguments.subspan(1)), runMesh, console);
+    if (command == "estimate")
+        return parseAndRun(parseEstimateCommand(arguments.subspan(1)), runEstimate, console);
+    if (command == "check") return parseAndRun(parseCheckCommand(arguments.subspan(1)), runCheck, console);
+    if (command == "info") return parseAndRun(parseInfoCommand(arguments.subspan(1)), runInfo, console);
+    if (command == "draw") return parseAndRun(parseDrawCommand(arguments.subspan(1)), runDraw, console);
+    const std::string message =
+        command.empty() ? "the command is missing" : "unknown command '" + command + "'";
+    return tell({ErrorCode::InvalidArgument, message, {}, {}, "see mesher --help"}, ExitStatus::Usage,
+                console);
+}
+
+}  // namespace
+
+ExitStatus tell(const Error& error, ExitStatus status, Console console)
+{
+    console.err << "mesher: " << describe(error) << '\n';
+    return status;
+}
+
+ExitStatus runMesher(std::span<const std::string> arguments, Console console)
+{
+    try {
+        return dispatch(arguments, console);
+    } catch (const std::bad_alloc&) {
+        const Error error = {ErrorCode::OutOfRange,
+                             "the memory does not suffice",
+                             {},
+                             {},
+                             "choose a larger --size or a machine with more memory"};
+        return tell(error, ExitStatus::Failed, console);
+    }
+}
+
+}  // namespace mesher

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/result.h"
+#include "quality/tet_measures.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesher {
+
+/// An element size asked for on one entity of the model.
+struct LocalSize
+{
+    std::string entity;  ///< "Face6", "Edge3", "Vertex1", "Solid1"
+    double size = 0.0;   ///< model units, above 0
+};
+
+/// Everything a user may ask of a mesh; what has no value is left to the mesher.
+struct MeshOptions
+{
+    int dimension = 3;  ///< 2 the planar faces, 3 the solids. DEFAULT: 3
+
+    /// \name Size (edge length, model units)
+    ///@{
+    std::optional<double> size;     ///< largest; > 0. DEFAULT: only as small as shape and quality want
+    std::optional<double> minSize;  ///< none is asked to be smaller; > 0, at most `size`. DEFAULT: none
+    double curvature = 0.0;         ///< elements in a full turn of a curve, 0 (off) or 3 … 3600. DEFAULT: 0
+    double sag = 0.0;               ///< largest distance of an edge from its curve; 0 is off. DEFAULT: 0
+    double refinement = 1.0;        ///< R: boundary size is local feature size / R; 1 … 1000. DEFAULT: 1
+    double grading = 1.0;           ///< G: sizes grow by at most distance / G; 0.01 … 1000. DEFAULT: 1
+    std::vector<LocalSize> localSizes;
+    std::string background;  ///< .msh or .vtu file with a number at each node, the size. DEFAULT: none
+    ///@}
+
+    /// \name Quality
+    ///@{
+    double minAngle = 30.0;  ///< of triangles, degrees, 0 … 45; proven to end up to 25.7. DEFAULT: 30
+    double maxTurn = 90.0;   ///< of the tangent along an edge of a curve, degrees, 30 … 90. DEFAULT: 90
+    TetMeasure measure = TetMeasure::MinimumDihedralSine;  ///< of tetrahedra. DEFAULT: q2
+    std::optional<double>
+        threshold;           ///< score below which a tetrahedron is refined; (0, 1]. DEFAULT: of the measure
+    bool isImproved = true;  ///< DEFAULT: true
+    int order = 1;           ///< of elements, 1 or 2. DEFAULT: 1
+    ///@}
+
+    /// \name Run
+    ///@{
+    unsigned threads = 1;                    ///< 1 … 1024; the mesh does not depend on it. DEFAULT: 1
+    std::uint64_t maxElements = 50'000'000;  ///< 1 … 10^9; the run ends there. DEFAULT: 50 million
+    std::optional<double> timeout;           ///< seconds, > 0. DEFAULT: none
+    bool isChecked = false;  ///< the mesh is checked as a whole before it is handed out. DEFAULT: false
+    ///@}
+};
+
+/// Refuses, with the option's name and range, values that make no sense: zero, negative and infinite sizes, what is not a number.
+[[nodiscard]] Result<void> validate(const MeshOptions& options);
+
+}  // namespace mesher

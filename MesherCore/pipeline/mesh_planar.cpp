@@ -1,0 +1,152 @@
+#include "pipeline/mesh_planar.h"
+
+#include "mesh/mesh_check.h"
+#include "pipeline/planar_sizes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace mesher {
+
+namespace {
+
+void fail(MeshReport& report, Error error)
+{
+    report.status = MeshReport::Status::Failed;
+    if (error.entity.empty()) error.entity = "model";
+    report.failures.push_back(std::move(error));
+}
+
+/// What plane meshes do not do yet is refused, not passed over.
+Result<void> checkSupported(const MeshOptions& options)
+{
+    if (options.order != 1) {
+        return Error{ErrorCode::InvalidArgument,
+                     "is not yet there for plane meshes",
+                     "--order 2",
+                     {},
+                     "leave the option out"};
+    }
+    return {};
+}
+
+void tellCounts(const PlanarResult& result, MeshReport& report)
+{
+    const PlanarCounts& counts = result.counts;
+    const Refinement2d& refinement = result.refinement;
+    report.counts = {
+        {"sample_vertices", counts.sampleVertices},
+        {"small_angle_splits", counts.smallAngleSplits},
+        {"enrichment_splits", counts.enrichment.splits},
+        {"intersection_splits", counts.enrichment.intersectionSplits},
+        {"initial_vertices", counts.initialVertices},
+        {"initial_triangles", counts.initialTriangles},
+        {"size_insertions", refinement.sizeInsertions},
+        {"quality_insertions", refinement.qualityInsertions},
+        {"boundary_splits", refinement.sizeSplits + refinement.encroachmentSplits},
+        {"boundary_edges", counts.boundaryEdges},
+        {"triangles_left", refinement.left.size()},
+    };
+    report.seconds = {{"sampling", result.seconds.sampling},
+                      {"enrichment", result.seconds.enrichment},
+                      {"initial_triangulation", result.seconds.initialTriangulation},
+                      {"refinement", result.seconds.refinement}};
+}
+
+std::string limitMessage(StopReason reason, const MeshOptions& options)
+{
+    switch (reason) {
+        case StopReason::ElementLimit:
+            return "the limit of " + std::to_string(options.maxElements) + " elements is reached";
+        case StopReason::TimeLimit: return "the time limit is reached";
+        case StopReason::Cancelled: return "the run was cancelled";
+        case StopReason::CannotImprove: return "the mesh cannot be improved any further";
+        default: return "a limit of the run is reached";
+    }
+}
+
+void tellStop(StopReason reason, MeshReport& report)
+{
+    report.stopReason = reason;
+    if (reason == StopReason::Done) return;
+    report.status =
+        reason == StopReason::Cancelled ? MeshReport::Status::Cancelled : MeshReport::Status::Failed;
+    const bool isElements = reason == StopReason::ElementLimit;
+    report.failures.push_back({ErrorCode::OutOfRange,
+                               limitMessage(reason, report.options),
+                               "model",
+                               {},
+                               reason == StopReason::Cancelled ? ""
+                               : isElements ? "choose a larger --size or raise --max-elements"
+                                            : "choose a larger --size or raise --timeout"});
+}
+
+void checkWhole(const ClassifiedMesh& mesh, MeshReport& report)
+{
+    for (const std::string& problem : checkMesh(mesh).problems()) {
+        fail(report, {ErrorCode::InvalidArgument,
+                      "the check of the mesh found " + problem,
+                      "mesh",
+                      {},
+                      "report this model as a fault of the mesher"});
+    }
+}
+
+}  // namespace
+
+PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* field)
+{
+    PlanarOptions planar;
+    planar.sampling.maxVariation = options.maxTurn;
+    planar.refinement.minAngle = options.minAngle;
+    planar.refinement.sizing.refinement = options.refinement;
+    planar.refinement.sizing.grading = options.grading;
+    planar.refinement.sizing.field = field;
+    planar.limits.maxElements = options.maxElements;
+    if (options.timeout) {
+        planar.limits.maxTime = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+            std::chrono::duration<double>(std::min(*options.timeout, 1e9)));
+    }
+    return planar;
+}
+
+PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
+                             std::shared_ptr<const SizingField> background, int boundaryOrder,
+                             RunContext& context)
+{
+    PlanarMeshOutcome outcome;
+    MeshReport& report = outcome.report;
+    report.options = options;
+    report.versions = {{"mesher", MESHER_VERSION}};
+    Result<void> possible = validate(options);
+    if (possible) possible = checkSupported(options);
+    if (!possible) {
+        fail(report, possible.error());
+        return outcome;
+    }
+    const Result<std::shared_ptr<const SizingField>> sizes =
+        planarSizes(complex, options, std::move(background));
+    if (!sizes) {
+        fail(report, sizes.error());
+        return outcome;
+    }
+    const PlanarOptions planar = planarOptionsOf(options, sizes.value().get());
+    const Result<PlanarResult> result = triangulatePlanar(complex, planar, context);
+    if (!result) {
+        fail(report, result.error());
+        return outcome;
+    }
+    tellCounts(result.value(), report);
+    tellStop(result.value().stopReason, report);
+    // A run that ends early may not have got as far as a triangulation of the boundary.
+    if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0)
+        return outcome;
+    outcome.result = classifyPlanar(complex, result.value().triangulation, boundaryOrder);
+    describeMesh(outcome.result->mesh, report);
+    if (options.isChecked) checkWhole(outcome.result->mesh, report);
+    return outcome;
+}
+
+}  // namespace mesher

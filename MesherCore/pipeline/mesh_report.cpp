@@ -1,0 +1,152 @@
+#include "pipeline/mesh_report.h"
+
+#include "mesh/classified_mesh_hash.h"
+
+#include <nlohmann/json.hpp>
+
+namespace mesher {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view nameOf(MeshReport::Status status)
+{
+    switch (status) {
+        case MeshReport::Status::Done: return "done";
+        case MeshReport::Status::Failed: return "failed";
+        case MeshReport::Status::Cancelled: return "cancelled";
+    }
+    return "";
+}
+
+/// Sixteen hexadecimal digits: JSON's numbers are doubles to many readers.
+std::string hexadecimal(std::uint64_t value)
+{
+    std::string digits(16, '0');
+    for (std::size_t i = digits.size(); i > 0; --i, value >>= 4)
+        digits[i - 1] = "0123456789abcdef"[value & 15u];
+    return digits;
+}
+
+template <class T>
+Json orNull(const std::optional<T>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+template <class Pairs>
+Json objectOf(const Pairs& pairs)
+{
+    Json object = Json::object();
+    for (const auto& [key, value] : pairs) object[key] = value;
+    return object;
+}
+
+Json toJson(const Error& error)
+{
+    Json json = {
+        {"entity", error.entity}, {"point", nullptr}, {"reason", error.message}, {"remedy", error.remedy}};
+    if (error.point) json["point"] = {error.point->x, error.point->y, error.point->z};
+    return json;
+}
+
+Json toJson(const MeshOptions& options)
+{
+    Json json = {{"dimension", options.dimension},
+                 {"size", orNull(options.size)},
+                 {"min_size", orNull(options.minSize)},
+                 {"curvature", options.curvature},
+                 {"sag", options.sag},
+                 {"refinement", options.refinement},
+                 {"grading", options.grading},
+                 {"local_sizes", Json::object()},
+                 {"background", options.background},
+                 {"min_angle", options.minAngle},
+                 {"max_turn", options.maxTurn},
+                 {"measure", infoOf(options.measure).key},
+                 {"threshold", options.threshold.value_or(infoOf(options.measure).threshold)},
+                 {"improve", options.isImproved},
+                 {"order", options.order},
+                 {"threads", options.threads},
+                 {"max_elements", options.maxElements},
+                 {"timeout", orNull(options.timeout)},
+                 {"check", options.isChecked}};
+    for (const LocalSize& local : options.localSizes) json["local_sizes"][local.entity] = local.size;
+    return json;
+}
+
+Json qualityOf(const TetQuality& quality, const MeshOptions& options)
+{
+    return {{"min_dihedral", quality.dihedral.least()},
+            {"max_dihedral", quality.dihedral.largest()},
+            {"dihedral_histogram", quality.dihedralHistogram},
+            {"min_radius_ratio", quality.radiusRatio.least()},
+            {"mean_radius_ratio", quality.radiusRatio.mean()},
+            {"min_volume_ratio", quality.volumeRatio.least()},
+            {"measure", infoOf(options.measure).key},
+            {"threshold", options.threshold.value_or(infoOf(options.measure).threshold)}};
+}
+
+Json qualityOf(const TriangleQuality& quality, const MeshOptions& options)
+{
+    return {{"min_angle", quality.angle.least()},
+            {"max_angle", quality.angle.largest()},
+            {"angle_histogram", quality.angleHistogram},
+            {"min_radius_ratio", quality.radiusRatio.least()},
+            {"mean_radius_ratio", quality.radiusRatio.mean()},
+            {"shortest_edge", quality.shortestEdge},
+            {"longest_edge", quality.longestEdge},
+            {"measure", "angle"},
+            {"threshold", options.minAngle}};
+}
+
+}  // namespace
+
+void describeMesh(const ClassifiedMesh& mesh, MeshReport& report)
+{
+    report.meshHash = classifiedMeshHash(mesh);
+    report.unit = mesh.unit;
+    report.counts.emplace_back("vertices", mesh.nodes.size());
+    report.counts.emplace_back("lines", mesh.lines.size());
+    report.counts.emplace_back("triangles", mesh.triangles.size());
+    report.counts.emplace_back("tets", mesh.tets.size());
+    if (!mesh.triangles.empty()) {
+        report.triangleQuality = triangleQualityOf(mesh);
+        report.meshArea = report.triangleQuality->area.mean() * static_cast<double>(mesh.triangles.size());
+    }
+    if (!mesh.tets.empty()) {
+        report.tetQuality = tetQualityOf(mesh);
+        report.meshVolume = report.tetQuality->volume.mean() * static_cast<double>(mesh.tets.size());
+    }
+}
+
+std::string toJson(const MeshReport& report)
+{
+    Json json = {{"status", nameOf(report.status)},
+                 {"stop_reason", nameOf(report.stopReason)},
+                 {"failures", Json::array()},
+                 {"warnings", report.warnings},
+                 {"counts", objectOf(report.counts)},
+                 {"seconds", objectOf(report.seconds)},
+                 {"quality", nullptr},
+                 {"model",
+                  {{"file", report.modelFile},
+                   {"unit", report.unit},
+                   {"area", orNull(report.modelArea)},
+                   {"volume", orNull(report.modelVolume)}}},
+                 {"mesh", {{"area", report.meshArea}, {"volume", report.meshVolume}}},
+                 {"mesh_hash", hexadecimal(report.meshHash)},
+                 {"versions", objectOf(report.versions)},
+                 {"options", toJson(report.options)}};
+    for (const Error& failure : report.failures) json["failures"].push_back(toJson(failure));
+    if (report.tetQuality) {
+        json["quality"] = qualityOf(*report.tetQuality, report.options);
+    } else if (report.triangleQuality) {
+        json["quality"] = qualityOf(*report.triangleQuality, report.options);
+    }
+    // What is no UTF-8 (a path may hold anything) is replaced, not thrown at.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mesher

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "base/error.h"
+#include "base/stop_reason.h"
+#include "mesh/classified_mesh.h"
+#include "pipeline/mesh_options.h"
+#include "quality/quality_statistics.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mesher {
+
+/// What a run did, for people and programs.
+struct MeshReport
+{
+    enum class Status
+    {
+        Done,    ///< a mesh as it was asked for
+        Failed,  ///< none, or one that a limit ended
+        Cancelled
+    };
+
+    Status status = Status::Done;
+    StopReason stopReason = StopReason::Done;
+    std::vector<Error> failures;
+    std::vector<std::string> warnings;
+    std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< by stage, in its order
+    std::vector<std::pair<std::string, double>> seconds;        ///< by stage, in its order
+    std::optional<TetQuality> tetQuality;
+    std::optional<TriangleQuality> triangleQuality;
+    std::optional<double> modelArea;  ///< model units squared
+    std::optional<double> modelVolume;
+    double meshArea = 0.0;
+    double meshVolume = 0.0;
+    std::uint64_t meshHash = 0;
+    std::string modelFile;
+    std::string unit = "mm";
+    std::vector<std::pair<std::string, std::string>> versions;
+    MeshOptions options;
+};
+
+/// Fills in the quality, size, hash and numbers of the mesh.
+void describeMesh(const ClassifiedMesh& mesh, MeshReport& report);
+
+/// The report as JSON: one object with snake_case keys.
+[[nodiscard]] std::string toJson(const MeshReport& report);
+
+}  // namespace mesher

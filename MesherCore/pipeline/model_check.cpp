@@ -1,0 +1,109 @@
+#include "pipeline/model_check.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace mesher {
+
+namespace {
+
+constexpr double kTolerance = 1e-7;
+
+struct Distance
+{
+    double distance = 0.0;
+    double tolerance = 0.0;
+};
+
+bool isInModel(EntityRef entity, const BrepModel& model)
+{
+    const std::array<std::size_t, 4> counts = {model.vertices.size(), model.edges.size(), model.faces.size(),
+                                               model.solids.size()};
+    return entity.index == EntityRef::kNone ||
+           (entity.dimension < 4 && entity.index < counts[entity.dimension]);
+}
+
+/// Of a node from its own vertex, edge or face; nothing inside of a solid.
+std::optional<Distance> distanceOf(const MeshNode& node, const BrepModel& model)
+{
+    if (node.entity.index == EntityRef::kNone) return std::nullopt;
+    if (node.entity.dimension == 0) {
+        const BrepVertex& vertex = model.vertices[BrepVertexId(node.entity.index)];
+        return Distance{length(node.position - vertex.position), vertex.tolerance};
+    }
+    if (node.entity.dimension == 1) {
+        const BrepEdge& edge = model.edges[BrepEdgeId(node.entity.index)];
+        if (edge.isDegenerate) return std::nullopt;
+        return Distance{edge.curve->project(node.position, edge.part).distance, edge.tolerance};
+    }
+    if (node.entity.dimension == 2) {
+        const BrepFace& face = model.faces[BrepFaceId(node.entity.index)];
+        const SurfaceProjection onSurface = face.surface->project(node.position);
+        return Distance{onSurface.distance, face.tolerance};
+    }
+    return std::nullopt;
+}
+
+template <std::size_t N>
+std::uint64_t countUnknown(const std::vector<MeshElement<N>>& elements, const BrepModel& model)
+{
+    return static_cast<std::uint64_t>(
+        std::count_if(elements.begin(), elements.end(),
+                      [&](const auto& element) { return !isInModel(element.entity, model); }));
+}
+
+/// Vertices at the ends of the edges that the mesh has lines on.
+std::uint64_t countMissingVertices(const ClassifiedMesh& mesh, const BrepModel& model)
+{
+    std::vector<char> isWanted(model.vertices.size());
+    for (const MeshElement<2>& line : mesh.lines) {
+        if (line.entity.dimension != 1 || line.entity.index >= model.edges.size()) continue;
+        const BrepEdge& edge = model.edges[BrepEdgeId(line.entity.index)];
+        isWanted[edge.first.value] = 1;
+        isWanted[edge.last.value] = 1;
+    }
+    for (const MeshNode& node : mesh.nodes) {
+        if (node.entity.dimension == 0 && node.entity.index < isWanted.size())
+            isWanted[node.entity.index] = 0;
+    }
+    return static_cast<std::uint64_t>(std::count(isWanted.begin(), isWanted.end(), 1));
+}
+
+}  // namespace
+
+ModelCheckReport checkAgainstModel(const ClassifiedMesh& mesh, const BrepModel& model)
+{
+    ModelCheckReport report;
+    report.unknownEntities = countUnknown(mesh.points, model) + countUnknown(mesh.lines, model) +
+                             countUnknown(mesh.triangles, model) + countUnknown(mesh.tets, model);
+    for (const MeshNode& node : mesh.nodes) {
+        if (!isInModel(node.entity, model)) {
+            ++report.unknownEntities;
+            continue;
+        }
+        const std::optional<Distance> found = distanceOf(node, model);
+        if (!found) continue;
+        if (!(found->distance <= std::max(kTolerance, found->tolerance))) ++report.nodesOff;
+        double& largest = report.largestDistance[node.entity.dimension];
+        if (found->distance > largest) {
+            largest = found->distance;
+            report.farthestEntity[node.entity.dimension] = nameOf(node.entity);
+        }
+    }
+    report.missingVertices = countMissingVertices(mesh, model);
+    return report;
+}
+
+std::vector<std::string> ModelCheckReport::problems() const
+{
+    std::vector<std::string> problems;
+    const auto tell = [&](std::uint64_t count, const char* what) {
+        if (count != 0) problems.push_back(std::to_string(count) + what);
+    };
+    tell(nodesOff, " nodes are off their entity of the model");
+    tell(unknownEntities, " nodes or elements name an entity that the model does not have");
+    tell(missingVertices, " vertices of the model are no nodes");
+    return problems;
+}
+
+}  // namespace mesher

@@ -1,0 +1,57 @@
+#include "pipeline/mesh_report.h"
+
+#include "support/sample_meshes.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace mesher {
+namespace {
+
+TEST(MeshReport, HasTheKeysThatProgramsReadOfAVolumeMesh)
+{
+    MeshReport report;
+    report.seconds = {{"reading", 0.5}};
+    report.failures = {{ErrorCode::InvalidArgument, "is \"odd\"", "Face6", Vec3{1.0, 2.0, 3.0}, "mend it"}};
+    describeMesh(test::twoSolidMesh(), report);
+    const auto json = nlohmann::json::parse(toJson(report));
+    EXPECT_EQ(json["status"], "done");
+    EXPECT_EQ(json["stop_reason"], "done");
+    EXPECT_EQ(json["failures"][0]["entity"], "Face6");
+    EXPECT_EQ(json["failures"][0]["point"], (std::vector<double>{1.0, 2.0, 3.0}));
+    EXPECT_EQ(json["failures"][0]["reason"], "is \"odd\"");
+    EXPECT_EQ(json["failures"][0]["remedy"], "mend it");
+    EXPECT_EQ(json["seconds"]["reading"], 0.5);
+    EXPECT_EQ(json["counts"]["tets"], 96);
+    EXPECT_NEAR(json["quality"]["min_dihedral"].get<double>(), 45.0, 1e-9);
+    EXPECT_NEAR(json["quality"]["max_dihedral"].get<double>(), 90.0, 1e-9);
+    EXPECT_EQ(json["quality"]["dihedral_histogram"].size(), 18u);
+    EXPECT_EQ(json["quality"]["measure"], "q2");
+    EXPECT_EQ(json["quality"]["threshold"], 0.32);
+    EXPECT_NEAR(json["mesh"]["volume"].get<double>(), 0.016, 1e-15);
+    EXPECT_EQ(json["mesh_hash"].get<std::string>().size(), 16u);
+    EXPECT_EQ(json["options"]["dimension"], 3);
+    EXPECT_TRUE(json["options"]["size"].is_null());
+    EXPECT_TRUE(json.contains("versions") && json.contains("model"));
+}
+
+TEST(MeshReport, HasAnglesOfAPlaneMesh)
+{
+    MeshReport report;
+    describeMesh(test::twoFaceMesh(), report);
+    const auto json = nlohmann::json::parse(toJson(report));
+    EXPECT_NEAR(json["quality"]["min_angle"].get<double>(), 45.0, 1e-9);
+    EXPECT_EQ(json["quality"]["angle_histogram"].size(), 18u);
+    EXPECT_NEAR(json["mesh"]["area"].get<double>(), 0.32, 1e-12);
+}
+
+TEST(MeshReport, SurvivesPathsThatAreNoText)
+{
+    MeshReport report;
+    report.modelFile = "\xff\xfe.step";
+    const auto json = nlohmann::json::parse(toJson(report));
+    EXPECT_NE(json["model"]["file"].get<std::string>().find(".step"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mesher
