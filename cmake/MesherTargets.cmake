@@ -39,5 +39,6 @@ function(mesher_test name)
   foreach(used IN LISTS TEST_USES)
     target_link_libraries(${name} PRIVATE mesher_${used})
   endforeach()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+  # A test that hangs must fail, and long before the run that it is part of is given up.
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

@@ -22,9 +22,6 @@ void* allocateLargePages(std::size_t bytes)
     return memory;
 }
 
-void freeLargePages(void* memory) noexcept
-{
-    ::operator delete(memory, std::align_val_t(kLargePage));
-}
+void freeLargePages(void* memory) noexcept { ::operator delete(memory, std::align_val_t(kLargePage)); }
 
 }  // namespace mesher::detail

@@ -27,7 +27,8 @@ public:
     LargePageAllocator() = default;
     template <class U>
     constexpr LargePageAllocator(const LargePageAllocator<U>&) noexcept
-    {}
+    {
+    }
 
     [[nodiscard]] T* allocate(std::size_t count)
     {

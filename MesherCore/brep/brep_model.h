@@ -52,7 +52,8 @@ struct BrepCoedge
 
 struct BrepLoop
 {
-    std::vector<BrepCoedge> coedges;  ///< in order, the material of the face's surface (not reversed) to the left
+    std::vector<BrepCoedge>
+        coedges;  ///< in order, the material of the face's surface (not reversed) to the left
 };
 
 enum class TrimSide : std::uint8_t

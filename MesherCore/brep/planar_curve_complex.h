@@ -63,7 +63,8 @@ struct PlanarCurvePoint
     Vec2 d2;
 };
 
-[[nodiscard]] inline PlanarCurvePoint evaluateInPlane(const PlanarCurveComplex& complex, PccCurveId curve, double t)
+[[nodiscard]] inline PlanarCurvePoint evaluateInPlane(const PlanarCurveComplex& complex, PccCurveId curve,
+                                                      double t)
 {
     const CurvePoint p = complex.curves[curve.value].curve->evaluate(t);
     return {complex.frame.toPlane(p.position), complex.frame.directionToPlane(p.d1),

@@ -18,7 +18,10 @@ struct PlaneFrame
         return {dot(d, xAxis), dot(d, yAxis)};
     }
     /// The same for a derivative or direction, which has no origin.
-    [[nodiscard]] constexpr Vec2 directionToPlane(const Vec3& d) const { return {dot(d, xAxis), dot(d, yAxis)}; }
+    [[nodiscard]] constexpr Vec2 directionToPlane(const Vec3& d) const
+    {
+        return {dot(d, xAxis), dot(d, yAxis)};
+    }
     [[nodiscard]] constexpr Vec3 toSpace(Vec2 q) const { return origin + q.x * xAxis + q.y * yAxis; }
     /// Signed, in model units.
     [[nodiscard]] constexpr double distanceTo(const Vec3& p) const { return dot(p - origin, normal); }

@@ -23,7 +23,8 @@ std::optional<SurfaceCurvature> curvatureOf(const SurfacePoint& point)
     const double gauss = (l * k - m * m) / area2;
     const double root = std::sqrt(std::max(0.0, mean * mean - gauss));
     SurfaceCurvature curvature{mean + root, mean - root};
-    if (std::abs(curvature.smallest) > std::abs(curvature.largest)) std::swap(curvature.largest, curvature.smallest);
+    if (std::abs(curvature.smallest) > std::abs(curvature.largest))
+        std::swap(curvature.largest, curvature.smallest);
     return curvature;
 }
 

@@ -20,7 +20,8 @@ constexpr std::size_t kSampleShare = 8;
 Result<void> checkPoints(std::span<const Vec3> points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (isFinite(points[i]) && isInExactRange(points[i])) [[likely]] continue;
+        if (isFinite(points[i]) && isInExactRange(points[i])) [[likely]]
+            continue;
         return checkPoint3d(points[i], "point " + std::to_string(i)).error();
     }
     return {};
@@ -28,15 +29,21 @@ Result<void> checkPoints(std::span<const Vec3> points)
 
 }  // namespace
 
-Result<BulkInsertion3d> Delaunay3d::insertPoints(std::span<const Vec3> points, const BulkInsertionOptions3d& options,
-                                                 RunContext& context)
+Result<BulkInsertion3d> Delaunay3d::insertPoints(std::span<const Vec3> points,
+                                                 const BulkInsertionOptions3d& options, RunContext& context)
 {
     if (points.size() + mesh_.vertexLimit() > kMaxPoints) {
-        return Error{ErrorCode::OutOfRange, "too many points for 30-bit tetrahedron numbers", {}, {},
+        return Error{ErrorCode::OutOfRange,
+                     "too many points for 30-bit tetrahedron numbers",
+                     {},
+                     {},
                      "split the point set"};
     }
     if (mesh_.wasConstrained()) {
-        return Error{ErrorCode::InvalidArgument, "bulk insertion into a constrained triangulation", {}, {},
+        return Error{ErrorCode::InvalidArgument,
+                     "bulk insertion into a constrained triangulation",
+                     {},
+                     {},
                      "insert the points one by one"};
     }
     const Result<void> valid = checkPoints(points);
@@ -91,6 +98,8 @@ StopReason Delaunay3d::insertInOrder(std::span<const Vec3> points, std::span<con
         const VertexId vertex = insertTrusted(point, isOwn ? options.classification : scaffoldClass);
         if (isOwn) {
             result.vertex[index] = vertex;
+            if (mesh_.classification(vertex).scaffold != 0)
+                mesh_.setClassification(vertex, options.classification);
             result.duplicates += mesh_.vertexCount() == before ? 1 : 0;
         }
         if (!progress.advance()) return StopReason::Cancelled;

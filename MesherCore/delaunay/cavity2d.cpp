@@ -35,39 +35,59 @@ void enter(const Triangulation2d& mesh, Cavity2d& cavity, TriangleId t, unsigned
     cavity.pending.emplace_back(record.n[nextCorner(throughEdge)], record.region);
 }
 
-/// Depth first and counter-clockwise, so that the boundary comes out in order.
+/// The search proper, depth first and counter-clockwise, so that the boundary comes out in order.
+template <bool hasExclusions>
+void search(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d& cavity)
+{
+    const auto isExcluded = [&](TriangleId t) {
+        return std::find(cavity.excluded.begin(), cavity.excluded.end(), t) != cavity.excluded.end();
+    };
+    const Vec2 point = cavity.point;
+    while (!cavity.pending.empty()) {
+        EdgeLink side = cavity.pending.back().side();
+        RegionId region = cavity.pending.back().region();
+        cavity.pending.pop_back();
+        for (;;) {
+            const Triangle2d& next = mesh.triangle(side.triangle());
+            const bool isConstrained = next.isConstrained(side.edge());
+            bool isOuter = isConstrained || !isInConflict(mesh, filter, next, point);
+            if constexpr (hasExclusions) isOuter = isOuter || isExcluded(side.triangle());
+            if (isOuter) {
+                cavity.boundary.push_back({side, region});
+                if (isConstrained) cavity.constrained.push_back(side);
+                break;
+            }
+            // On to the next edge; the one after it waits.
+            cavity.triangles.push_back(side.triangle());
+            MESHER_INVARIANT(cavity.triangles.size() <= mesh.triangleCount());
+            region = next.region;
+            cavity.pending.emplace_back(next.n[previousCorner(side.edge())], region);
+            side = next.n[nextCorner(side.edge())];
+        }
+    }
+}
+
 void collect(const Triangulation2d& mesh, const StaticFilter2d& filter, Cavity2d& cavity)
 {
     cavity.triangles.clear();
     cavity.boundary.clear();
     cavity.constrained.clear();
     cavity.pending.clear();
-    const TriangleId start = cavity.location.triangle;
+    const TriangleId start = cavity.location.triangle();
     const Triangle2d& record = mesh.triangle(start);
     unsigned firstEdge = 0;
     if (cavity.location.kind == Location2d::Kind::OnEdge) {
         // The edge the point lies on goes, be it constrained or not: both its sides are entered.
-        firstEdge = cavity.location.index;
+        firstEdge = cavity.location.index();
         enter(mesh, cavity, record.n[firstEdge].triangle(), record.n[firstEdge].edge());
     } else {
         cavity.pending.emplace_back(record.n[firstEdge], record.region);
     }
     enter(mesh, cavity, start, firstEdge);
-    while (!cavity.pending.empty()) {
-        const auto [side, region] = cavity.pending.back();
-        cavity.pending.pop_back();
-        const Triangle2d& next = mesh.triangle(side.triangle());
-        const bool isConstrained = next.isConstrained(side.edge());
-        const bool isExcluded = !cavity.excluded.empty() &&
-                                std::find(cavity.excluded.begin(), cavity.excluded.end(), side.triangle()) !=
-                                    cavity.excluded.end();
-        if (!isConstrained && !isExcluded && isInConflict(mesh, filter, next, cavity.point)) {
-            enter(mesh, cavity, side.triangle(), side.edge());
-            MESHER_INVARIANT(cavity.triangles.size() <= mesh.triangleCount());
-            continue;
-        }
-        cavity.boundary.push_back({side, region});
-        if (isConstrained) cavity.constrained.push_back(side);
+    if (cavity.excluded.empty()) {
+        search<false>(mesh, filter, cavity);
+    } else {
+        search<true>(mesh, filter, cavity);
     }
 }
 
@@ -126,9 +146,9 @@ TriangleId commitCavity(Triangulation2d& mesh, const Cavity2d& cavity, VertexId 
 {
     MESHER_PRECONDITION(mesh.position(vertex) == cavity.point);
     const bool splitsConstraint =
-        cavity.location.kind == Location2d::Kind::OnEdge && mesh.isConstrained(cavity.location.edge());
-    const VertexId splitFrom = splitsConstraint ? mesh.edgeFrom(cavity.location.edge()) : VertexId();
-    const VertexId splitTo = splitsConstraint ? mesh.edgeTo(cavity.location.edge()) : VertexId();
+        cavity.location.kind == Location2d::Kind::OnEdge && mesh.isConstrained(cavity.location.edge);
+    const VertexId splitFrom = splitsConstraint ? mesh.edgeFrom(cavity.location.edge) : VertexId();
+    const VertexId splitTo = splitsConstraint ? mesh.edgeTo(cavity.location.edge) : VertexId();
 
     const std::size_t count = cavity.boundary.size();
     const std::size_t reused = cavity.triangles.size();

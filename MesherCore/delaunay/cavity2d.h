@@ -5,7 +5,6 @@
 #include "predicates/static_filter.h"
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace mesher {
@@ -34,8 +33,26 @@ struct Cavity2d
     /// Of the state in which the cavity was found; Delaunay2d tells a stale cavity by it.
     std::uint64_t revision = 0;
 
+    /// An edge the search has yet to cross and the region it comes from, packed: written as two words and read as
+    /// one, it would have to wait for the write to reach the cache each time.
+    class PendingEdge
+    {
+    public:
+        PendingEdge(EdgeLink side, RegionId region) : packed_(std::uint64_t{side.packed} << 32 | region.value)
+        {
+        }
+        [[nodiscard]] EdgeLink side() const
+        {
+            const auto packed = static_cast<std::uint32_t>(packed_ >> 32);
+            return EdgeLink(TriangleId(packed >> 2), packed & 3u);
+        }
+        [[nodiscard]] RegionId region() const { return RegionId(static_cast<std::uint32_t>(packed_)); }
+
+    private:
+        std::uint64_t packed_;
+    };
     /// Scratch of the search.
-    std::vector<std::pair<EdgeLink, RegionId>> pending;
+    std::vector<PendingEdge> pending;
     std::vector<TriangleId> excluded;
 };
 

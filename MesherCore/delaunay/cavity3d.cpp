@@ -1,7 +1,6 @@
 #include "delaunay/cavity3d.h"
 
 #include "predicates/insphere.h"
-#include "predicates/insphere_vectorised.h"
 #include "predicates/orient3d.h"
 
 #include <algorithm>
@@ -37,42 +36,31 @@ bool isSameEdge(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
 
 // --- conflict search
 
-CavityOperator3d::CavityOperator3d(Triangulation3d& triangulation)
-    : mesh_(triangulation), canVectorise_(canVectoriseInsphere())
-{}
-
-inline bool CavityOperator3d::isInConflict(TetId tet, const VertexRecord& point, const StaticFilter3d& filter) const
+inline bool CavityOperator3d::isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const
 {
-    const VertexRecord* vertices = mesh_.vertexData();
     const TetRecord& record = mesh_.tetData()[tet.value];
-    if (canVectorise_ && !isGhost(record.vertex[3])) [[likely]] {
-        const InsphereVectorEstimate estimate = insphereEstimateVectorised(
-            &vertices[record.vertex[0].value].position.x, &vertices[record.vertex[1].value].position.x,
-            &vertices[record.vertex[2].value].position.x, &vertices[record.vertex[3].value].position.x,
-            &point.position.x);
-        const double magnitude = std::abs(estimate.determinant);
-        if (magnitude > filter.insphere || magnitude > estimate.errorBound()) [[likely]] {
-            return estimate.determinant > 0.0;
-        }
-    }
-    return isInConflictExactly(record, point.position, filter);
+    if (isGhost(record.vertex[3])) [[unlikely]]
+        return isGhostInConflict(record, point, filter);
+    return isInSphere(record, point, filter);
 }
 
-bool CavityOperator3d::isInConflictExactly(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const
+inline bool CavityOperator3d::isInSphere(const TetRecord& tet, const Vec3& point,
+                                         const StaticFilter3d& filter) const
 {
     const VertexRecord* vertices = mesh_.vertexData();
-    const TetRecord* record = &tet;
-    if (isGhost(record->vertex[3])) {
-        const Sign side = orient3d(filter, vertices[record->vertex[0].value].position,
-                                   vertices[record->vertex[1].value].position,
-                                   vertices[record->vertex[2].value].position, point);
-        if (side != Sign::Zero) return side == Sign::Positive;
-        // In the plane of the hull facet the circumcircle decides, which the sphere behind the facet cuts out of it.
-        record = mesh_.tetData() + record->neighbour[3].tet().value;
-    }
-    return inspherePerturbed(filter, vertices[record->vertex[0].value].position,
-                             vertices[record->vertex[1].value].position, vertices[record->vertex[2].value].position,
-                             vertices[record->vertex[3].value].position, point) == Sign::Positive;
+    return inspherePerturbed(filter, vertices[tet.vertex[0].value].position,
+                             vertices[tet.vertex[1].value].position, vertices[tet.vertex[2].value].position,
+                             vertices[tet.vertex[3].value].position, point) == Sign::Positive;
+}
+
+bool CavityOperator3d::isGhostInConflict(const TetRecord& ghost, const Vec3& point,
+                                         const StaticFilter3d& filter) const
+{
+    const Sign side = orient3d(filter, mesh_.position(ghost.vertex[0]), mesh_.position(ghost.vertex[1]),
+                               mesh_.position(ghost.vertex[2]), point);
+    if (side != Sign::Zero) return side == Sign::Positive;
+    // In the plane of the hull facet the circumcircle decides, which the sphere behind the facet cuts out of it.
+    return isInSphere(mesh_.tet(ghost.neighbour[3].tet()), point, filter);
 }
 
 /// The search comes to the neighbours a few tetrahedra later: time enough to fetch them.
@@ -105,7 +93,7 @@ inline void CavityOperator3d::addFace(const TetRecord& inner, unsigned face, Tet
 }
 
 template <bool kConstrained>
-void CavityOperator3d::collectConflicts(const VertexRecord& point, const StaticFilter3d& filter)
+void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d& filter)
 {
     const TetRecord* const records = mesh_.tetData();
     TetState* const states = mesh_.stateData();
@@ -135,8 +123,8 @@ void CavityOperator3d::collectConflicts(const VertexRecord& point, const StaticF
     }
 }
 
-const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split,
-                                       const StaticFilter3d& filter)
+const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds,
+                                       const CavitySplit3d& split, const StaticFilter3d& filter)
 {
     cavity_.status = CavityStatus::Ready;
     cavity_.point = point;
@@ -145,8 +133,9 @@ const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId>
     cavity_.blocker = {};
     cavity_.repairs = 0;
     split_ = split;
+    collectSplitPerimeter(seeds);
     for (const TetId seed : seeds) mark(seed);
-    collectConflicts<true>(VertexRecord{point}, filter);
+    collectConflicts<true>(point, filter);
     marked_ = cavity_.tets;
     while (cavity_.status == CavityStatus::Ready && repairOnce(seeds, filter)) refloodFromSeeds(seeds);
     for (const TetId tet : marked_) unmark(tet);
@@ -158,8 +147,6 @@ void CavityOperator3d::finish()
 {
     cavity_.constraints.clear();
     cavity_.constrainedFaces.clear();
-    splitPerimeter_.clear();
-    splitsConstrainedEdge_ = false;
     for (const CavityFace3d& face : cavity_.faces) {
         const TetFace inner = mesh_.neighbour(face.outer);
         CavityFaceConstraints3d carried;
@@ -174,8 +161,15 @@ void CavityOperator3d::finish()
         cavity_.constraints.push_back(carried);
         if (mesh_.isFaceConstrained(face.outer)) cavity_.constrainedFaces.push_back(face.outer);
     }
+}
+
+/// What has to be left of the constraint to be split: all the tetrahedra at it are seeds.
+void CavityOperator3d::collectSplitPerimeter(std::span<const TetId> seeds)
+{
+    splitPerimeter_.clear();
+    splitsConstrainedEdge_ = false;
     if (split_.kind == CavitySplit3d::Kind::None) return;
-    for (const TetId tet : cavity_.tets) {
+    for (const TetId tet : seeds) {
         for (int i = 0; i < 4; ++i) {
             const auto corners = mesh_.faceVertices({tet, i});
             if (!mesh_.isFaceConstrained({tet, i}) || !isSplitFace(corners)) continue;
@@ -192,6 +186,12 @@ void CavityOperator3d::finish()
         const int b = mesh_.slotOf(tet, split_.vertex[1]);
         splitsConstrainedEdge_ |= a >= 0 && b >= 0 && mesh_.isEdgeConstrained(tet, kEdgeOfSlots[a][b]);
     }
+}
+
+bool CavityOperator3d::isSplitPerimeter(VertexId a, VertexId b) const
+{
+    return std::any_of(splitPerimeter_.begin(), splitPerimeter_.end(),
+                       [&](const auto& edge) { return isSameEdge(edge, a, b); });
 }
 
 // --- repair
@@ -228,7 +228,9 @@ void CavityOperator3d::refloodFromSeeds(std::span<const TetId> seeds)
 
 bool CavityOperator3d::repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter)
 {
-    return repairEnclosedFaces(seeds, filter) || repairEnclosedEdges(seeds, filter) || repairVisibility(seeds, filter);
+    if (repairEnclosedFaces(seeds, filter)) return true;
+    if (cavity_.status == CavityStatus::Ready && repairEnclosedEdges(seeds, filter)) return true;
+    return cavity_.status == CavityStatus::Ready && repairVisibility(seeds, filter);
 }
 
 bool CavityOperator3d::takeOut(TetId tet, std::span<const TetId> seeds, CavityStatus reason)
@@ -252,8 +254,9 @@ bool CavityOperator3d::repairEnclosedFaces(std::span<const TetId> seeds, const S
         if (!isMarked(inner.tet())) continue;
         // A face with the ghost has no plane; the side that is not a seed goes.
         const auto& v = face.vertex;
-        const bool isBehind = isGhost(v[2]) || orient3d(filter, cavity_.point, mesh_.position(v[0]),
-                                                        mesh_.position(v[1]), mesh_.position(v[2])) != Sign::Positive;
+        const bool isBehind =
+            isGhost(v[2]) || orient3d(filter, cavity_.point, mesh_.position(v[0]), mesh_.position(v[1]),
+                                      mesh_.position(v[2])) != Sign::Positive;
         if (!isBehind) continue;  // the same face seen from the other side is in the list too
         if (takeOut(inner.tet(), seeds, CavityStatus::BlockedByConstraint)) isChanged = true;
         if (cavity_.status != CavityStatus::Ready) {
@@ -267,7 +270,8 @@ bool CavityOperator3d::repairEnclosedFaces(std::span<const TetId> seeds, const S
 bool CavityOperator3d::isEdgeEnclosed(TetId tet, int edge) const
 {
     std::vector<TetId> ring;
-    mesh_.collectEdgeRing(tet, mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]), ring);
+    mesh_.collectEdgeRing(tet, mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]),
+                          ring);
     return std::all_of(ring.begin(), ring.end(), [&](TetId t) { return isMarked(t); });
 }
 
@@ -285,8 +289,8 @@ TetId CavityOperator3d::tetBehindEdge(TetId tet, int edge, const StaticFilter3d&
             const VertexId opposite = mesh_.vertex(candidate, face);
             if (opposite == a || opposite == b) continue;
             const auto [f0, f1, f2] = mesh_.faceVertices({candidate, face});
-            const Sign side = orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2),
-                                       cavity_.point);
+            const Sign side =
+                orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2), cavity_.point);
             behind += side == Sign::Negative ? 1 : 0;
             seen += side == Sign::Positive ? 1 : 0;
         }
@@ -298,14 +302,15 @@ TetId CavityOperator3d::tetBehindEdge(TetId tet, int edge, const StaticFilter3d&
 bool CavityOperator3d::repairEnclosedEdges(std::span<const TetId> seeds, const StaticFilter3d& filter)
 {
     for (const TetId tet : cavity_.tets) {
-        if ((mesh_.flags(tet) & tet_flag::kEdges) == 0) continue;
+        if ((mesh_.flags(tet) & tet_flag::kEdges) == 0 && splitPerimeter_.empty()) continue;
         for (int edge = 0; edge < 6; ++edge) {
-            if (!mesh_.isEdgeConstrained(tet, edge)) continue;
             const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
             const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
             const bool isSplit = split_.kind == CavitySplit3d::Kind::Edge &&
                                  isSameEdge({split_.vertex[0], split_.vertex[1]}, a, b);
-            if (isSplit || !isEdgeEnclosed(tet, edge)) continue;
+            // The parts of a split face stand on its perimeter, constrained edges or not.
+            const bool isNeeded = mesh_.isEdgeConstrained(tet, edge) || isSplitPerimeter(a, b);
+            if (isSplit || !isNeeded || !isEdgeEnclosed(tet, edge)) continue;
             const TetId behind = tetBehindEdge(tet, edge, filter);
             if (behind.isValid() && takeOut(behind, seeds, CavityStatus::BlockedByConstraint)) return true;
             cavity_.status = CavityStatus::BlockedByConstraint;
@@ -322,8 +327,8 @@ bool CavityOperator3d::repairVisibility(std::span<const TetId> seeds, const Stat
     for (const CavityFace3d& face : cavity_.faces) {
         const auto& v = face.vertex;
         if (isGhost(v[2])) continue;
-        if (orient3d(filter, cavity_.point, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])) ==
-            Sign::Positive) {
+        if (orient3d(filter, cavity_.point, mesh_.position(v[0]), mesh_.position(v[1]),
+                     mesh_.position(v[2])) == Sign::Positive) {
             continue;
         }
         const TetId inner = mesh_.neighbour(face.outer).tet();
@@ -403,11 +408,10 @@ void CavityOperator3d::constrainSplitParts()
         for (int k = 0; k < 3; ++k) {
             const VertexId a = mesh_.vertex(local.tet, (k + 1) % 3 + 1);
             const VertexId b = mesh_.vertex(local.tet, (k + 2) % 3 + 1);
-            const bool isPart = std::any_of(splitPerimeter_.begin(), splitPerimeter_.end(),
-                                            [&](const auto& edge) { return isSameEdge(edge, a, b); });
-            if (isPart) flags |= tet_flag::face(k + 1);
+            if (isSplitPerimeter(a, b)) flags |= tet_flag::face(k + 1);
             const VertexId end = mesh_.vertex(local.tet, k + 1);
-            const bool isHalf = splitsConstrainedEdge_ && (end == split_.vertex[0] || end == split_.vertex[1]);
+            const bool isHalf =
+                splitsConstrainedEdge_ && (end == split_.vertex[0] || end == split_.vertex[1]);
             if (isHalf) flags |= tet_flag::edge(kEdgeOfSlots[0][k + 1]);
         }
     }
@@ -425,7 +429,7 @@ TetId CavityOperator3d::insertUnconstrained(VertexId vertex, TetId seed, const S
     cavity_.faces.clear();
     cavity_.tets.push_back(seed);
     mark(seed);
-    collectConflicts<false>(mesh_.vertexData()[vertex.value], filter);
+    collectConflicts<false>(mesh_.position(vertex), filter);
     return retriangulate<false>(vertex);
 }
 
@@ -433,8 +437,8 @@ std::size_t CavityOperator3d::bytes() const
 {
     return cavity_.tets.capacity() * sizeof(TetId) + cavity_.faces.capacity() * sizeof(CavityFace3d) +
            cavity_.constraints.capacity() * sizeof(CavityFaceConstraints3d) +
-           cavity_.constrainedFaces.capacity() * sizeof(TetFace) + localFaces_.capacity() * sizeof(LocalFace) +
-           linker_.bytes();
+           cavity_.constrainedFaces.capacity() * sizeof(TetFace) +
+           localFaces_.capacity() * sizeof(LocalFace) + linker_.bytes();
 }
 
 }  // namespace mesher

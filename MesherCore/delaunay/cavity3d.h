@@ -57,7 +57,12 @@ struct Cavity3d
 /// The constraint that an insertion is allowed to cut, because the point lies on it.
 struct CavitySplit3d
 {
-    enum class Kind : std::uint8_t { None, Face, Edge };
+    enum class Kind : std::uint8_t
+    {
+        None,
+        Face,
+        Edge
+    };
 
     Kind kind = Kind::None;
     /// The ends of the edge, or the corners of the face.
@@ -75,7 +80,7 @@ struct CavitySplit3d
 class CavityOperator3d
 {
 public:
-    explicit CavityOperator3d(Triangulation3d& triangulation);
+    explicit CavityOperator3d(Triangulation3d& triangulation) : mesh_(triangulation) {}
 
     /// The tetrahedra in conflict with the point that can be reached from the seeds without crossing a constrained
     /// face, made star-shaped. The returned cavity is valid until the next call.
@@ -101,12 +106,15 @@ private:
     };
 
     template <bool kConstrained>
-    void collectConflicts(const VertexRecord& point, const StaticFilter3d& filter);
-    bool isInConflict(TetId tet, const VertexRecord& point, const StaticFilter3d& filter) const;
-    bool isInConflictExactly(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const;
+    void collectConflicts(const Vec3& point, const StaticFilter3d& filter);
+    bool isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const;
+    bool isInSphere(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const;
+    bool isGhostInConflict(const TetRecord& ghost, const Vec3& point, const StaticFilter3d& filter) const;
     void prefetchAround(TetId tet) const;
     bool isCrossingForbidden(TetFace face) const;
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
+    bool isSplitPerimeter(VertexId a, VertexId b) const;
+    void collectSplitPerimeter(std::span<const TetId> seeds);
     void addFace(const TetRecord& inner, unsigned face, TetFace outer);
 
     void refloodFromSeeds(std::span<const TetId> seeds);
@@ -132,7 +140,6 @@ private:
     }
 
     Triangulation3d& mesh_;
-    bool canVectorise_;
     Cavity3d cavity_;
     CavitySplit3d split_;
     std::vector<TetId> marked_;

@@ -5,11 +5,16 @@
 #include "predicates/coordinate_range.h"
 #include "predicates/orient2d.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
 namespace mesher {
 namespace {
+
+/// Points inserted between two looks at the cancellation.
+constexpr std::size_t kChunk = 256;
 
 /// Adding zero makes the two zeros one.
 Vec2 withoutNegativeZeros(Vec2 p) { return {p.x + 0.0, p.y + 0.0}; }
@@ -58,21 +63,30 @@ Result<BulkInsertion2d> Delaunay2d::insertPoints(std::span<const Vec2> points, R
     filter_ = StaticFilter2d::forBox(box_);
     mesh_.reserve(mesh_.vertexCount() + points.size());
 
-    constexpr std::size_t kPointsPerCancelCheck = 1024;
     BulkInsertion2d result;
     result.vertices.resize(points.size());
-    std::size_t done = 0;
-    for (const std::uint32_t i : brioOrder(points, seed_)) {
-        if (done++ % kPointsPerCancelCheck == 0 && context != nullptr && context->isCancelled()) {
+    const std::vector<std::uint32_t> order = brioOrder(points, seed_);
+    for (std::size_t begin = 0; begin < order.size(); begin += kChunk) {
+        if (context != nullptr && context->isCancelled()) {
             result.stopReason = StopReason::Cancelled;
             break;
         }
-        const Insertion2d insertion =
-            insertChecked(withoutNegativeZeros(points[i]), lastTriangle_, StarCheck::Trust);
-        result.vertices[i] = insertion.vertex;
-        if (insertion.outcome == InsertOutcome::Duplicate) ++result.duplicates;
+        insertChunk(points, std::span(order).subspan(begin, std::min(kChunk, order.size() - begin)), result);
     }
     return result;
+}
+
+void Delaunay2d::insertChunk(std::span<const Vec2> points, std::span<const std::uint32_t> order,
+                             BulkInsertion2d& result)
+{
+    // Gathered at once the scattered reads overlap; one by one each would wait for the memory.
+    std::array<Vec2, kChunk> gathered;
+    for (std::size_t i = 0; i < order.size(); ++i) gathered[i] = withoutNegativeZeros(points[order[i]]);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Insertion2d insertion = insertChecked(gathered[i], lastTriangle_, StarCheck::Trust);
+        result.vertices[order[i]] = insertion.vertex;
+        if (insertion.outcome == InsertOutcome::Duplicate) ++result.duplicates;
+    }
 }
 
 Result<Insertion2d> Delaunay2d::insert(Vec2 point, TriangleId hint)
@@ -106,7 +120,7 @@ VertexId Delaunay2d::commit(const Cavity2d& cavity)
     ++counters_.insertions;
     const VertexId vertex = mesh_.addVertex(cavity.point);
     lastTriangle_ = commitCavity(mesh_, cavity, vertex);
-    record(ReplayOperation::insert(vertex.value, cavity.point));
+    recordInsert(vertex, cavity.point);
     return vertex;
 }
 
@@ -114,8 +128,7 @@ RemovalOutcome Delaunay2d::remove(VertexId vertex, RemovalPolicy policy)
 {
     MESHER_PRECONDITION(mesh_.isAlive(vertex));
     const bool joinsChains = policy == RemovalPolicy::StraightChainsToo;
-    record(
-        ReplayOperation::on(joinsChains ? ReplayKind::RemoveFromChain : ReplayKind::Remove, {vertex.value}));
+    record(joinsChains ? ReplayKind::RemoveFromChain : ReplayKind::Remove, vertex);
     if (mesh_.triangleCount() == 0) {
         lineVertices_.erase(mesh_.position(vertex));
         mesh_.removeVertex(vertex);
@@ -155,7 +168,7 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
         error.remedy = "insert a point off the line first";
     } else {
         ++revision_;
-        record(ReplayOperation::on(ReplayKind::Constrain, {a.value, b.value}));
+        record(ReplayKind::Constrain, a, b);
         auto result = mesher::recoverSegment(mesh_, filter_, a, b, segmentWorkspace_);
         if (!result) return result;
         ++counters_.segments;
@@ -169,16 +182,14 @@ Result<SegmentRecovery2d> Delaunay2d::recoverSegment(VertexId a, VertexId b)
 void Delaunay2d::constrainEdge(EdgeLink edge)
 {
     MESHER_PRECONDITION(mesh_.edgeFrom(edge) != kGhostVertex && mesh_.edgeTo(edge) != kGhostVertex);
-    record(
-        ReplayOperation::on(ReplayKind::Constrain, {mesh_.edgeFrom(edge).value, mesh_.edgeTo(edge).value}));
+    record(ReplayKind::Constrain, mesh_.edgeFrom(edge), mesh_.edgeTo(edge));
     mesh_.setConstrained(edge, true);
     ++revision_;
 }
 
 void Delaunay2d::unconstrainEdge(EdgeLink edge)
 {
-    record(
-        ReplayOperation::on(ReplayKind::Unconstrain, {mesh_.edgeFrom(edge).value, mesh_.edgeTo(edge).value}));
+    record(ReplayKind::Unconstrain, mesh_.edgeFrom(edge), mesh_.edgeTo(edge));
     mesh_.setConstrained(edge, false);
     suspects_.assign(1, edge);
     counters_.flips += restoreDelaunay(mesh_, filter_, suspects_);
@@ -200,16 +211,16 @@ Insertion2d Delaunay2d::insertChecked(Vec2 point, TriangleId hint, StarCheck che
     const Location2d location = mesher::locate(mesh_, filter_, point, hint);
     if (location.kind == Location2d::Kind::OnVertex) {
         ++counters_.duplicates;
-        return {mesh_.triangle(location.triangle).v[location.index], InsertOutcome::Duplicate};
+        return {mesh_.triangle(location.triangle()).v[location.index()], InsertOutcome::Duplicate};
     }
-    const bool splits = location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(location.edge());
+    const bool splits = location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(location.edge);
     mesher::findCavity(mesh_, filter_, point, location, check, cavity_);
     const VertexId vertex = mesh_.addVertex(point);
     lastTriangle_ = commitCavity(mesh_, cavity_, vertex);
     counters_.starRepairs += cavity_.repairs;
     ++counters_.insertions;
     ++revision_;
-    record(ReplayOperation::insert(vertex.value, point));
+    recordInsert(vertex, point);
     return {vertex, splits ? InsertOutcome::SplitConstraint : InsertOutcome::Inserted};
 }
 
@@ -223,7 +234,7 @@ Insertion2d Delaunay2d::insertOnLine(Vec2 point)
     const VertexId vertex = mesh_.addVertex(point);
     ++counters_.insertions;
     ++revision_;
-    record(ReplayOperation::insert(vertex.value, point));
+    recordInsert(vertex, point);
     const bool isOnLine =
         lineVertices_.size() < 2 ||
         orient2d(lineVertices_.begin()->first, lineVertices_.rbegin()->first, point) == Sign::Zero;

@@ -139,10 +139,20 @@ private:
         bool operator()(Vec2 a, Vec2 b) const { return isLexicographicallyLess(a, b); }
     };
 
-    void record(const ReplayOperation& operation)
+    void recordInsert(VertexId vertex, Vec2 point)
     {
-        if (log_ != nullptr) log_->add(operation);
+        if (log_ != nullptr) log_->add(ReplayOperation::insert(vertex.value, point));
     }
+    void record(ReplayKind kind, VertexId vertex)
+    {
+        if (log_ != nullptr) log_->add(ReplayOperation::on(kind, {vertex.value}));
+    }
+    void record(ReplayKind kind, VertexId a, VertexId b)
+    {
+        if (log_ != nullptr) log_->add(ReplayOperation::on(kind, {a.value, b.value}));
+    }
+    void insertChunk(std::span<const Vec2> points, std::span<const std::uint32_t> order,
+                     BulkInsertion2d& result);
     Insertion2d insertChecked(Vec2 point, TriangleId hint, StarCheck check);
     Insertion2d insertOnLine(Vec2 point);
     void raiseDimension(VertexId apex);

@@ -6,6 +6,7 @@
 #include "predicates/orient2d.h"
 #include "predicates/orient3d.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -21,10 +22,7 @@ bool areCollinear(const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 /// -0 and 0 are one place; only one of them may reach the hash of a mesh.
-Vec3 withoutNegativeZero(const Vec3& p)
-{
-    return {p.x + 0.0, p.y + 0.0, p.z + 0.0};
-}
+Vec3 withoutNegativeZero(const Vec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
 }  // namespace
 
@@ -43,7 +41,10 @@ void Delaunay3d::expectPointsIn(const Box3& box)
 Result<void> checkPoint3d(const Vec3& point, std::string_view name)
 {
     if (!isFinite(point)) {
-        return Error{ErrorCode::NonFinitePoint, "a coordinate is not a finite number", std::string(name), {},
+        return Error{ErrorCode::NonFinitePoint,
+                     "a coordinate is not a finite number",
+                     std::string(name),
+                     {},
                      "repair the input"};
     }
     if (!isInExactRange(point)) {
@@ -58,14 +59,12 @@ Result<void> checkPoint3d(const Vec3& point, std::string_view name)
 bool Delaunay3d::raisesDimension(const Vec3& point) const
 {
     switch (dimension_) {
-    case -1:
-    case 0:
-        return true;
-    case 1:
-        return !areCollinear(mesh_.position(basis_[0]), mesh_.position(basis_[1]), point);
-    default:
-        return orient3d(mesh_.position(basis_[0]), mesh_.position(basis_[1]), mesh_.position(basis_[2]), point) !=
-               Sign::Zero;
+        case -1:
+        case 0: return true;
+        case 1: return !areCollinear(mesh_.position(basis_[0]), mesh_.position(basis_[1]), point);
+        default:
+            return orient3d(mesh_.position(basis_[0]), mesh_.position(basis_[1]), mesh_.position(basis_[2]),
+                            point) != Sign::Zero;
     }
 }
 
@@ -100,7 +99,8 @@ void Delaunay3d::makeFirstTet()
     }
     for (unsigned i = 0; i < 4; ++i) {
         for (unsigned j = i + 1; j < 4; ++j) {
-            mesh_.link({ghost[i], mesh_.slotOf(ghost[i], corner[j])}, {ghost[j], mesh_.slotOf(ghost[j], corner[i])});
+            mesh_.link({ghost[i], mesh_.slotOf(ghost[i], corner[j])},
+                       {ghost[j], mesh_.slotOf(ghost[j], corner[i])});
         }
     }
     for (const VertexId v : corner) mesh_.setIncidentTet(v, inner);
@@ -161,16 +161,48 @@ void Delaunay3d::removePending(VertexId vertex)
 
 // --- insertion
 
+/// Flips are made by others, so the tetrahedron of the last insertion may be gone.
+TetId Delaunay3d::startOfWalk(TetId hint) const
+{
+    const auto isUsable = [&](TetId t) {
+        return t.isValid() && t.value < mesh_.tetLimit() && mesh_.isAlive(t);
+    };
+    if (isUsable(hint)) return hint;
+    if (isUsable(recent_)) return recent_;
+    TetId first(0u);
+    while (!mesh_.isAlive(first)) ++first.value;
+    return first;
+}
+
+bool Delaunay3d::isOnConstraint(const Location3d& location) const
+{
+    if (location.kind == Location3d::Kind::Face)
+        return mesh_.isFaceConstrained({location.tet, location.index});
+    if (location.kind != Location3d::Kind::Edge) return false;
+    if (mesh_.isEdgeConstrained(location.tet, location.index)) return true;
+    const VertexId a = mesh_.vertex(location.tet, kEdgeSlots[location.index][0]);
+    const VertexId b = mesh_.vertex(location.tet, kEdgeSlots[location.index][1]);
+    std::vector<TetId> ring;
+    mesh_.collectEdgeRing(location.tet, a, b, ring);
+    return std::any_of(ring.begin(), ring.end(), [&](TetId tet) {
+        for (int face = 0; face < 4; ++face) {
+            const VertexId opposite = mesh_.vertex(tet, face);
+            if (opposite != a && opposite != b && mesh_.isFaceConstrained({tet, face})) return true;
+        }
+        return false;
+    });
+}
+
 TetId Delaunay3d::placeVertex(VertexId vertex)
 {
-    const TetId found = walk3d(mesh_, mesh_.position(vertex), recent_, filter_, random_);
+    const TetId found = walk3d(mesh_, mesh_.position(vertex), startOfWalk(recent_), filter_, random_);
     return cavities_.insertUnconstrained(vertex, found, filter_);
 }
 
 VertexId Delaunay3d::insertTrusted(const Vec3& point, VertexClass classification)
 {
     if (dimension_ < 3) return insertPending(point, classification);
-    const TetId found = walk3d(mesh_, point, recent_, filter_, random_);
+    const TetId found = walk3d(mesh_, point, startOfWalk(recent_), filter_, random_);
     if (!mesh_.isGhostTet(found)) {
         for (const VertexId v : mesh_.tet(found).vertex) {
             if (mesh_.position(v) == point) return v;
@@ -194,13 +226,15 @@ Result<Insertion3d> Delaunay3d::insert(Vec3 point, TetId hint, ConstraintPolicy 
         const TetId tet = dimension_ == 3 ? mesh_.incidentTet(vertex) : TetId();
         return Insertion3d{isNew ? InsertionStatus::Inserted : InsertionStatus::Duplicate, vertex, tet, {}};
     }
-    const TetId start = hint.isValid() && hint.value < mesh_.tetLimit() && mesh_.isAlive(hint) ? hint : recent_;
-    const TetId found = walk3d(mesh_, point, start, filter_, random_);
+    const TetId found = walk3d(mesh_, point, startOfWalk(hint), filter_, random_);
     const Location3d location = classifyLocation3d(mesh_, point, found, filter_);
     if (location.kind == Location3d::Kind::Vertex) {
         recent_ = location.tet;
-        return Insertion3d{InsertionStatus::Duplicate, mesh_.vertex(location.tet, location.index), location.tet,
-                           location};
+        return Insertion3d{InsertionStatus::Duplicate, mesh_.vertex(location.tet, location.index),
+                           location.tet, location};
+    }
+    if (policy == ConstraintPolicy::Refuse && isOnConstraint(location)) {
+        return Insertion3d{InsertionStatus::OnConstraint, {}, {}, location};
     }
     findCavity(point, location, policy);
     Insertion3d outcome = commit();
@@ -213,12 +247,15 @@ Result<Location3d> Delaunay3d::locate(Vec3 point, TetId hint)
     const Result<void> valid = checkPoint3d(point, "point");
     if (!valid) return valid.error();
     if (dimension_ < 3) {
-        return Error{ErrorCode::DegenerateInput, "the points do not span space", {}, point,
+        return Error{ErrorCode::DegenerateInput,
+                     "the points do not span space",
+                     {},
+                     point,
                      "insert four points that are not coplanar first"};
     }
     expectPointsIn({point, point});
-    const TetId start = hint.isValid() && hint.value < mesh_.tetLimit() && mesh_.isAlive(hint) ? hint : recent_;
-    return classifyLocation3d(mesh_, point, walk3d(mesh_, point, start, filter_, random_), filter_);
+    return classifyLocation3d(mesh_, point, walk3d(mesh_, point, startOfWalk(hint), filter_, random_),
+                              filter_);
 }
 
 const Cavity3d& Delaunay3d::findCavity(Vec3 point, const Location3d& location, ConstraintPolicy policy)
@@ -271,17 +308,13 @@ RemovalStatus Delaunay3d::remove(VertexId vertex)
     }
     if (!removal_) removal_ = std::make_unique<VertexRemoval3d>(mesh_);
     switch (removal_->find(vertex)) {
-    case VertexHole3d::OnConstraint:
-        return RemovalStatus::OnConstraint;
-    case VertexHole3d::Untriangulable:
-        ++counters_.blockedRemovals;
-        return RemovalStatus::Blocked;
-    case VertexHole3d::WholeSpace:
-        mesh_.removeVertex(vertex);
-        enterPendingState();
-        return RemovalStatus::Removed;
-    case VertexHole3d::Ready:
-        break;
+        case VertexHole3d::OnConstraint: return RemovalStatus::OnConstraint;
+        case VertexHole3d::Untriangulable: ++counters_.blockedRemovals; return RemovalStatus::Blocked;
+        case VertexHole3d::WholeSpace:
+            mesh_.removeVertex(vertex);
+            enterPendingState();
+            return RemovalStatus::Removed;
+        case VertexHole3d::Ready: break;
     }
     recent_ = removal_->commit();
     return RemovalStatus::Removed;

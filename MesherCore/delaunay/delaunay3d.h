@@ -74,13 +74,13 @@ enum class RemovalStatus : std::uint8_t
 {
     Removed,
     OnConstraint,  ///< the vertex ends a constrained edge or face
-    Blocked        ///< constraints nearby make the hole untriangulable by the Delaunay tetrahedra of its vertices
+    Blocked  ///< constraints nearby make the hole untriangulable by the Delaunay tetrahedra of its vertices
 };
 
 /// How often the rare paths were taken.
 struct DelaunayCounters3d
 {
-    std::uint64_t cavityRepairs = 0;       ///< tetrahedra taken out of cavities to make them star-shaped
+    std::uint64_t cavityRepairs = 0;  ///< tetrahedra taken out of cavities to make them star-shaped
     std::uint64_t blockedInsertions = 0;
     std::uint64_t blockedRemovals = 0;
 };
@@ -94,8 +94,9 @@ Result<void> checkPoint3d(const Vec3& point, std::string_view name);
 ///
 /// Guarantees   without constraints the Delaunay tetrahedralization under the symbolic perturbation of insphere.h, which
 ///              is unique: the same points give the same tetrahedra in whatever order they come (meshHash3d);
-///              with constraints each unconstrained face stays locally Delaunay as long as insertions and removals
-///              alone change it, and constraints are never lost (checkTopology3d, checkDelaunay3d)
+///              constraints are never lost (checkTopology3d). With them each unconstrained face stays locally Delaunay
+///              (checkDelaunay3d) when removals and insertions without a repair alone change it, but for one case: a
+///              face between the new vertex and an edge at which a constrained face ends and the cavity is reflex
 /// Requires     points in the exact range (coordinate_range.h), else an Error; nothing else: duplicates, coplanar and
 ///              cospherical sets, and fewer than four points are ordinary input
 /// Cost         bulk insertion n log n for usual sets; memory see Triangulation3d
@@ -117,7 +118,8 @@ public:
                                          RunContext& context);
 
     /// Inserts one point. Errors: not finite or out of the exact range.
-    Result<Insertion3d> insert(Vec3 point, TetId hint = {}, ConstraintPolicy policy = ConstraintPolicy::Refuse);
+    Result<Insertion3d> insert(Vec3 point, TetId hint = {},
+                               ConstraintPolicy policy = ConstraintPolicy::Refuse);
 
     /// Inserts one point as fast as can be. Requires a finite point in the exact range and inside a box that was
     /// announced by expectPointsIn, and no constraints; the vertices' incidentTet is not kept up.
@@ -163,9 +165,12 @@ private:
     void removePending(VertexId vertex);
 
     TetId placeVertex(VertexId vertex);
+    TetId startOfWalk(TetId hint) const;
+    bool isOnConstraint(const Location3d& location) const;
     void reserveAfterSample(std::size_t remaining, std::size_t inserted);
     StopReason insertInOrder(std::span<const Vec3> points, std::span<const Vec3> scaffold,
-                             const BulkInsertionOptions3d& options, RunContext& context, BulkInsertion3d& result);
+                             const BulkInsertionOptions3d& options, RunContext& context,
+                             BulkInsertion3d& result);
 
     Triangulation3d mesh_;
     CavityOperator3d cavities_;

@@ -10,21 +10,18 @@ namespace mesher {
 
 namespace {
 
-std::string nameOf(TetId tet)
-{
-    return "tetrahedron " + std::to_string(tet.value);
-}
+std::string nameOf(TetId tet) { return "tetrahedron " + std::to_string(tet.value); }
 
 std::string nameOf(TetFace face)
 {
     return "face " + std::to_string(face.face()) + " of " + nameOf(face.tet());
 }
 
-bool haveSameVertices(std::array<VertexId, 3> a, std::array<VertexId, 3> b)
+/// Two tetrahedra on different sides of a face see its vertices in opposite senses.
+bool areOppositeSides(const std::array<VertexId, 3>& a, const std::array<VertexId, 3>& b)
 {
-    std::sort(a.begin(), a.end());
-    std::sort(b.begin(), b.end());
-    return a == b;
+    return a == std::array{b[0], b[2], b[1]} || a == std::array{b[1], b[0], b[2]} ||
+           a == std::array{b[2], b[1], b[0]};
 }
 
 bool isPositive(const Triangulation3d& mesh, TetId tet)
@@ -38,7 +35,8 @@ void checkVertices(const Triangulation3d& mesh, TetId tet, CheckReport& report)
 {
     const auto& v = mesh.tet(tet).vertex;
     for (unsigned i = 0; i < 4; ++i) {
-        if (isGhost(v[i]) ? i != 3 : !mesh.isVertexAlive(v[i])) report.add(nameOf(tet) + " has a dead or misplaced vertex");
+        if (isGhost(v[i]) ? i != 3 : !mesh.isVertexAlive(v[i]))
+            report.add(nameOf(tet) + " has a dead or misplaced vertex");
         for (unsigned j = i + 1; j < 4; ++j) {
             if (v[i] == v[j]) report.add(nameOf(tet) + " has a vertex twice");
         }
@@ -55,8 +53,8 @@ void checkLinks(const Triangulation3d& mesh, TetId tet, CheckReport& report)
             continue;
         }
         if (mesh.neighbour(other) != face) report.add(nameOf(face) + " is not linked back");
-        if (!haveSameVertices(mesh.faceVertices(face), mesh.faceVertices(other))) {
-            report.add(nameOf(face) + " is linked to a face of other vertices");
+        if (!areOppositeSides(mesh.faceVertices(face), mesh.faceVertices(other))) {
+            report.add(nameOf(face) + " is linked to a face of other vertices or sense");
         }
         if (mesh.isFaceConstrained(face) != mesh.isFaceConstrained(other)) {
             report.add(nameOf(face) + " is constrained on one side only");
@@ -95,7 +93,8 @@ void checkIncidence(const Triangulation3d& mesh, CheckReport& report)
         const VertexId vertex(i);
         if (!mesh.isVertexAlive(vertex)) continue;
         const TetId tet = mesh.incidentTet(vertex);
-        if (!tet.isValid() || tet.value >= mesh.tetLimit() || !mesh.isAlive(tet) || mesh.slotOf(tet, vertex) < 0) {
+        if (!tet.isValid() || tet.value >= mesh.tetLimit() || !mesh.isAlive(tet) ||
+            mesh.slotOf(tet, vertex) < 0) {
             report.add("vertex " + std::to_string(i) + " has no incident tetrahedron");
         }
     }
@@ -106,8 +105,8 @@ Sign conflict(const Triangulation3d& mesh, TetId tet, const Vec3& point)
 {
     const auto& v = mesh.tet(tet).vertex;
     if (!mesh.isGhostTet(tet)) {
-        return inspherePerturbed(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]), mesh.position(v[3]),
-                                 point);
+        return inspherePerturbed(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]),
+                                 mesh.position(v[3]), point);
     }
     const Sign side = orient3d(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]), point);
     return side != Sign::Zero ? side : conflict(mesh, mesh.neighbour(tet, 3).tet(), point);
@@ -130,7 +129,8 @@ CheckReport checkTopology3d(const Triangulation3d& mesh)
         checkVertices(mesh, tet, report);
         if (!report.isValid()) return report;
         checkLinks(mesh, tet, report);
-        if (!mesh.isGhostTet(tet) && !isPositive(mesh, tet)) report.add(nameOf(tet) + " is not positively oriented");
+        if (!mesh.isGhostTet(tet) && !isPositive(mesh, tet))
+            report.add(nameOf(tet) + " is not positively oriented");
         if ((mesh.flags(tet) & (tet_flag::kInCavity | tet_flag::kAllowed)) != 0) {
             report.add(nameOf(tet) + " kept a scratch mark");
         }
@@ -139,8 +139,9 @@ CheckReport checkTopology3d(const Triangulation3d& mesh)
     // On the 3-sphere V - E + F - T = 0 with F = 2 T, the ghost counted as a vertex.
     const std::uint64_t edges = checkEdges(mesh, report);
     if (mesh.vertexCount() + 1 + std::uint64_t{mesh.tetCount()} != edges) {
-        report.add("Euler characteristic is not 0: " + std::to_string(mesh.vertexCount() + 1) + " vertices, " +
-                   std::to_string(edges) + " edges, " + std::to_string(mesh.tetCount()) + " tetrahedra");
+        report.add("Euler characteristic is not 0: " + std::to_string(mesh.vertexCount() + 1) +
+                   " vertices, " + std::to_string(edges) + " edges, " + std::to_string(mesh.tetCount()) +
+                   " tetrahedra");
     }
     return report;
 }

@@ -7,7 +7,7 @@
 
 namespace mesher {
 
-/// Invariant I1: four different vertices each, ghosts last; symmetric links of equal faces; finite tetrahedra positively
+/// Invariant I1: four different vertices each, ghosts last; symmetric links of equal faces seen in opposite senses; finite tetrahedra positively
 /// oriented; Euler characteristic 0 of the 3-sphere; incident tetrahedra of vertices; constraint flags equal in all
 /// tetrahedra that share the face or edge; regions change at constrained faces and at the hull only; no scratch mark left.
 /// Cost: linear, with a hash table of edges.

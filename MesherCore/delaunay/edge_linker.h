@@ -65,7 +65,8 @@ public:
     /// What was put for the directed edge.
     [[nodiscard]] Value get(std::uint32_t from, std::uint32_t to) const
     {
-        if (isHashed_) [[unlikely]] return hashed_[slotFor(from, to)].value;
+        if (isHashed_) [[unlikely]]
+            return hashed_[slotFor(from, to)].value;
         return table_[from * stride_ + to];
     }
 
@@ -85,7 +86,10 @@ private:
     static constexpr std::size_t kTableLimit = 1024;
     static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
 
-    static std::uint64_t key(std::uint32_t from, std::uint32_t to) { return (std::uint64_t{from} << 32) | to; }
+    static std::uint64_t key(std::uint32_t from, std::uint32_t to)
+    {
+        return (std::uint64_t{from} << 32) | to;
+    }
     [[nodiscard]] std::size_t slotFor(std::uint32_t from, std::uint32_t to) const
     {
         const std::size_t mask = hashed_.size() - 1;
@@ -95,7 +99,8 @@ private:
         return slot;
     }
 
-    std::vector<std::uint32_t, LargePageAllocator<std::uint32_t>> localOf_;  ///< by vertex id + 1, so that the ghost (all bits set) is entry 0
+    std::vector<std::uint32_t, LargePageAllocator<std::uint32_t>>
+        localOf_;  ///< by vertex id + 1, so that the ghost (all bits set) is entry 0
     std::vector<VertexId> vertices_;
     std::vector<Value> table_;
     std::vector<Entry> hashed_;

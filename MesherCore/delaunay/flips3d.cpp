@@ -15,10 +15,7 @@ bool isPositive(const Triangulation3d& mesh, const TetCorners& v)
            Sign::Positive;
 }
 
-bool hasGhost(const TetCorners& corners)
-{
-    return std::any_of(corners.begin(), corners.end(), isGhost);
-}
+bool hasGhost(const TetCorners& corners) { return std::any_of(corners.begin(), corners.end(), isGhost); }
 
 /// An edge and what is around it: tets[i] has the vertices from, to, link[i] and link[i + 1], positively oriented in that
 /// order.
@@ -52,7 +49,8 @@ private:
     }
 };
 
-int constrainedFacesAround(const Triangulation3d& mesh, const EdgeStar& star, std::vector<bool>& isConstrained)
+int constrainedFacesAround(const Triangulation3d& mesh, const EdgeStar& star,
+                           std::vector<bool>& isConstrained)
 {
     isConstrained.assign(star.size(), false);
     for (std::size_t i = 0; i < star.size(); ++i) {
@@ -143,7 +141,8 @@ private:
 std::optional<Flip3d> evaluateFlip23(const Triangulation3d& mesh, TetFace face)
 {
     const TetFace other = mesh.neighbour(face);
-    if (mesh.isGhostTet(face.tet()) || mesh.isGhostTet(other.tet()) || mesh.isFaceConstrained(face)) return {};
+    if (mesh.isGhostTet(face.tet()) || mesh.isGhostTet(other.tet()) || mesh.isFaceConstrained(face))
+        return {};
     const VertexId above = mesh.vertex(face.tet(), face.face());
     const VertexId below = mesh.vertex(other.tet(), other.face());
     const auto corner = mesh.faceVertices(face);
@@ -214,7 +213,8 @@ std::optional<Flip3d> evaluateFlip22(const Triangulation3d& mesh, TetId tet, int
     return evaluateFlip44(mesh, tet, edge, (ghost - star.link.begin()) % 2 == 0 ? 1 : 0);
 }
 
-std::optional<Flip3d> evaluateEdgeRemoval(const Triangulation3d& mesh, TetId tet, int edge, const TetMeasure& measure)
+std::optional<Flip3d> evaluateEdgeRemoval(const Triangulation3d& mesh, TetId tet, int edge,
+                                          const TetMeasure& measure)
 {
     const EdgeStar star(mesh, tet, edge);
     std::vector<bool> isConstrained;

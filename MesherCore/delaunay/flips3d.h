@@ -36,7 +36,7 @@ std::optional<Flip3d> evaluateFlip23(const Triangulation3d& mesh, TetFace face);
 std::optional<Flip3d> evaluateFlip32(const Triangulation3d& mesh, TetId tet, int edge);
 
 /// 4-4: the edge, which must have four tetrahedra, is replaced by one between two opposite ones of the four vertices
-/// around it: those that are vertices of `tet` (diagonal 0: the one reached first) or the other two (diagonal 1).
+/// around it: `diagonal` 0 or 1, each with one end in `tet`.
 /// A pair of coplanar constrained faces in the plane of the new edge is flipped with it; the edge may be a hull edge between
 /// two coplanar hull faces, which makes it the 2-2 flip: then only the diagonal in that plane is possible.
 std::optional<Flip3d> evaluateFlip44(const Triangulation3d& mesh, TetId tet, int edge, int diagonal);
@@ -51,7 +51,8 @@ inline constexpr int kMaxEdgeRing = 12;
 /// Removes an edge with 3 to kMaxEdgeRing finite tetrahedra, replacing its n tetrahedra by the 2n - 4 whose worst is best,
 /// by Klincsek's dynamic programme over the triangulations of the ring. Cost: n³.
 /// Reference    [klincsek1980] [freitag1997]
-std::optional<Flip3d> evaluateEdgeRemoval(const Triangulation3d& mesh, TetId tet, int edge, const TetMeasure& measure);
+std::optional<Flip3d> evaluateEdgeRemoval(const Triangulation3d& mesh, TetId tet, int edge,
+                                          const TetMeasure& measure);
 
 /// Applies a flip that was evaluated on the mesh as it is. Returns one of the new tetrahedra.
 TetId applyFlip(TetReplacement3d& replacement, const Flip3d& flip);

@@ -66,7 +66,10 @@ private:
         for (unsigned shift = 1; shift < Dimension; ++shift) i ^= code >> shift;
         return i;
     }
-    static constexpr unsigned entryCorner(unsigned digit) { return digit == 0 ? 0 : grayCode((digit - 1) / 2 * 2); }
+    static constexpr unsigned entryCorner(unsigned digit)
+    {
+        return digit == 0 ? 0 : grayCode((digit - 1) / 2 * 2);
+    }
     static constexpr unsigned direction(unsigned digit)
     {
         if (digit == 0) return 0;
@@ -83,7 +86,8 @@ private:
         const unsigned digit = grayCodeInverse(turned);
         const unsigned nextEntry = entry ^ rotateLeft(entryCorner(digit), axis + 1);
         const unsigned nextAxis = (axis + direction(digit) + 1) % Dimension;
-        return {static_cast<std::uint8_t>(digit), static_cast<std::uint8_t>(nextEntry * Dimension + nextAxis)};
+        return {static_cast<std::uint8_t>(digit),
+                static_cast<std::uint8_t>(nextEntry * Dimension + nextAxis)};
     }
 
     static constexpr Table makeTable()
@@ -115,7 +119,7 @@ private:
 };
 
 template <unsigned Dimension>
-inline constexpr typename HilbertCurve<Dimension>::Table HilbertCurve<Dimension>::kTable =
-    HilbertCurve<Dimension>::makeTable();
+inline constexpr typename HilbertCurve<Dimension>::Table
+    HilbertCurve<Dimension>::kTable = HilbertCurve<Dimension>::makeTable();
 
 }  // namespace mesher

@@ -26,13 +26,14 @@ private:
 Location2d classify(TriangleId t, unsigned edgesThroughPoint)
 {
     switch (std::popcount(edgesThroughPoint)) {
-        case 0: return {Location2d::Kind::InTriangle, t, 0};
+        case 0: return {Location2d::Kind::InTriangle, EdgeLink(t, 0)};
         case 1:
-            return {Location2d::Kind::OnEdge, t, static_cast<unsigned>(std::countr_zero(edgesThroughPoint))};
+            return {Location2d::Kind::OnEdge,
+                    EdgeLink(t, static_cast<unsigned>(std::countr_zero(edgesThroughPoint)))};
         // Two edges meet in the corner opposite the third.
         default:
-            return {Location2d::Kind::OnVertex, t,
-                    static_cast<unsigned>(std::countr_one(edgesThroughPoint) % 3)};
+            return {Location2d::Kind::OnVertex,
+                    EdgeLink(t, static_cast<unsigned>(std::countr_one(edgesThroughPoint)) % 3)};
     }
 }
 
@@ -48,7 +49,7 @@ Location2d locate(const Triangulation2d& mesh, const StaticFilter2d& filter, Vec
     unsigned entered = kNowhere;
     for (;;) {
         const Triangle2d& record = mesh.triangle(t);
-        if (record.isGhost()) return {Location2d::Kind::OutsideHull, t, 2};
+        if (record.isGhost()) return {Location2d::Kind::OutsideHull, EdgeLink(t, 2)};
         const Vec2 corners[3] = {mesh.position(record.v[0]), mesh.position(record.v[1]),
                                  mesh.position(record.v[2])};
         unsigned edgesThroughPoint = 0;

@@ -3,25 +3,27 @@
 #include "delaunay/triangulation2d.h"
 #include "predicates/static_filter.h"
 
+#include <cstdint>
+
 namespace mesher {
 
-/// Where a point lies in a triangulation.
+/// Where a point lies in a triangulation. Two words, so that it travels in one register.
 struct Location2d
 {
-    enum class Kind
+    enum class Kind : std::uint32_t
     {
         InTriangle,   ///< strictly inside `triangle`
-        OnEdge,       ///< strictly between the ends of edge `index` of `triangle`
+        OnEdge,       ///< strictly between the ends of `edge`
         OnVertex,     ///< on corner `index` of `triangle`
         OutsideHull,  ///< `triangle` is a ghost whose hull edge has the point strictly on its outer side
         NoTriangles   ///< all vertices lie on one line, or there are fewer than three
     };
 
     Kind kind = Kind::NoTriangles;
-    TriangleId triangle;
-    unsigned index = 0;
+    EdgeLink edge;
 
-    [[nodiscard]] EdgeLink edge() const { return EdgeLink(triangle, index); }
+    [[nodiscard]] TriangleId triangle() const { return edge.triangle(); }
+    [[nodiscard]] unsigned index() const { return edge.edge(); }
 };
 
 /// Walks from `start` towards the point, over an edge that has the point strictly on its far side each time; which

@@ -4,25 +4,28 @@
 
 namespace mesher {
 
-TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const StaticFilter3d& filter, Random& random)
+TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const StaticFilter3d& filter,
+             Random& random)
 {
     const VertexRecord* vertices = mesh.vertexData();
     const TetRecord* tets = mesh.tetData();
     TetId current = mesh.isGhostTet(hint) ? mesh.neighbour(hint, 3).tet() : hint;
     unsigned entered = 4;
     std::uint64_t bits = random();
-    for (;;) {
+    for (unsigned step = 1;; ++step) {
         const TetRecord& record = tets[current.value];
-        bits = bits >> 2 | bits << 62;
+        // Drawn anew when used up: choices that repeat could go round in circles where it is not Delaunay.
+        bits = step % 32 == 0 ? random() : bits >> 2;
         const unsigned first = static_cast<unsigned>(bits & 3u);
         TetFace next;
         for (unsigned i = 0; i < 4; ++i) {
             const unsigned face = (first + i) & 3u;
             if (face == entered) continue;
             const int* slots = kFaceSlots[face];
-            const Sign side = orient3d(filter, vertices[record.vertex[static_cast<unsigned>(slots[0])].value].position,
-                                       vertices[record.vertex[static_cast<unsigned>(slots[1])].value].position,
-                                       vertices[record.vertex[static_cast<unsigned>(slots[2])].value].position, point);
+            const Sign side =
+                orient3d(filter, vertices[record.vertex[static_cast<unsigned>(slots[0])].value].position,
+                         vertices[record.vertex[static_cast<unsigned>(slots[1])].value].position,
+                         vertices[record.vertex[static_cast<unsigned>(slots[2])].value].position, point);
             if (side == Sign::Negative) {
                 next = record.neighbour[face];
                 break;

@@ -31,7 +31,8 @@ struct Location3d
 ///              random order that `random` determines
 /// Cost         the number of tetrahedra between the hint and the point
 /// Reference    [devillers2002] remembering stochastic visibility walk
-TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const StaticFilter3d& filter, Random& random);
+TetId walk3d(const Triangulation3d& mesh, const Vec3& point, TetId hint, const StaticFilter3d& filter,
+             Random& random);
 
 /// Tells how the point lies in the tetrahedron that walk3d found.
 Location3d classifyLocation3d(const Triangulation3d& mesh, const Vec3& point, TetId found,

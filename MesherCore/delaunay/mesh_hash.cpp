@@ -11,7 +11,8 @@ constexpr std::uint64_t kConstrainedFaceKind = 32;
 constexpr std::uint64_t kConstrainedEdgeKind = 31;
 
 /// Hash of the constraints of one tetrahedron, each counted where the tetrahedron is the first that has it.
-std::uint64_t constraintHash(const Triangulation3d& mesh, TetId tet, const std::array<std::uint64_t, 4>& place)
+std::uint64_t constraintHash(const Triangulation3d& mesh, TetId tet,
+                             const std::array<std::uint64_t, 4>& place)
 {
     std::uint64_t sum = 0;
     for (int face = 0; face < 4; ++face) {

@@ -123,7 +123,8 @@ std::string ReplayLog::toText() const
     std::string text;
     for (const ReplayOperation& operation : operations_) {
         text += nameOf(operation.kind);
-        for (unsigned i = 0; i < operation.labelCount; ++i) text.append(" ").append(std::to_string(operation.labels[i]));
+        for (unsigned i = 0; i < operation.labelCount; ++i)
+            text.append(" ").append(std::to_string(operation.labels[i]));
         for (unsigned i = 0; i < operation.coordinateCount; ++i)
             appendHexadecimal(text, operation.coordinates[i]);
         text += '\n';

@@ -2,6 +2,7 @@
 
 #include "base/box.h"
 #include "base/random.h"
+#include "predicates/coordinate_range.h"
 
 #include <algorithm>
 #include <array>
@@ -42,16 +43,17 @@ public:
     [[nodiscard]] std::uint64_t code(const Vec3& p) const
     {
         const Vec3 unit = (kCells / edge_) * (p - low_);
-        return spreadBits(clamped(unit.x)) << 2 | spreadBits(clamped(unit.y)) << 1 | spreadBits(clamped(unit.z));
+        return spreadBits(clamped(unit.x)) << 2 | spreadBits(clamped(unit.y)) << 1 |
+               spreadBits(clamped(unit.z));
     }
-    /// About the centre of a cell with the given corner, in cells of its level. Exact centres would be cospherical by
-    /// the dozen, and every one of them a case for exact arithmetic.
-    [[nodiscard]] Vec3 nearCentre(const std::array<std::uint32_t, 3>& cell, std::uint32_t level) const
+    /// About the centre of a cell with the given corner, in cells of its level; `jitter` as in ScaffoldOptions.
+    [[nodiscard]] Vec3 nearCentre(const std::array<std::uint32_t, 3>& cell, std::uint32_t level,
+                                  double jitter) const
     {
         const double size = edge_ / static_cast<double>(1u << level);
         Random random((std::uint64_t{cell[0]} << 42 | std::uint64_t{cell[1]} << 21 | cell[2]) ^
                       std::uint64_t{level} << 59);
-        const auto offset = [&] { return random.between(0.5 - kJitter, 0.5 + kJitter); };
+        const auto offset = [&] { return random.between(0.5 - jitter, 0.5 + jitter); };
         const double x = cell[0] + offset();
         const double y = cell[1] + offset();
         const double z = cell[2] + offset();
@@ -61,7 +63,6 @@ public:
 private:
     static constexpr double kCells = 1u << kLevels;
     static constexpr double kSmallestEdge = 1e-300;
-    static constexpr double kJitter = 0.1;  ///< of the cell's edge
 
     static std::uint64_t clamped(double x)
     {
@@ -99,7 +100,8 @@ public:
         root.end = static_cast<std::uint32_t>(codes.size());
         cells_.push_back(root);
         for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-            if (cells_[i].end - cells_[i].begin > options.pointsPerCell && cells_[i].level < options.maxLevel) {
+            if (cells_[i].end - cells_[i].begin > options.pointsPerCell &&
+                cells_[i].level < options.maxLevel) {
                 split(i);
             }
         }
@@ -121,8 +123,9 @@ private:
             cell.corner = {parent.corner[0] * 2 + (child >> 2 & 1), parent.corner[1] * 2 + (child >> 1 & 1),
                            parent.corner[2] * 2 + (child & 1)};
             cell.begin = begin;
-            const auto last = std::partition_point(codes_.begin() + begin, codes_.begin() + parent.end,
-                                                   [&](std::uint64_t code) { return (code >> shift & 7) <= child; });
+            const auto last =
+                std::partition_point(codes_.begin() + begin, codes_.begin() + parent.end,
+                                     [&](std::uint64_t code) { return (code >> shift & 7) <= child; });
             cell.end = begin = static_cast<std::uint32_t>(last - codes_.begin());
             cells_.push_back(cell);
         }
@@ -134,8 +137,8 @@ private:
         std::uint32_t index = 0;
         while (cells_[index].firstChild != 0 && cells_[index].level < level) {
             const std::uint32_t shift = level - cells_[index].level - 1;
-            index = cells_[index].firstChild + ((corner[0] >> shift & 1) << 2 | (corner[1] >> shift & 1) << 1 |
-                                                (corner[2] >> shift & 1));
+            index = cells_[index].firstChild + ((corner[0] >> shift & 1) << 2 |
+                                                (corner[1] >> shift & 1) << 1 | (corner[2] >> shift & 1));
         }
         return index;
     }
@@ -177,7 +180,9 @@ std::vector<Vec3> scaffoldPoints(std::span<const Vec3> points, const ScaffoldOpt
     const std::vector<std::uint64_t> codes = sortedCodes(points, grid);
     const GradedOctree octree(codes, options);
     for (const GradedOctree::Cell& cell : octree.cells()) {
-        if (cell.firstChild == 0 && cell.begin == cell.end) scaffold.push_back(grid.nearCentre(cell.corner, cell.level));
+        if (cell.firstChild != 0 || cell.begin != cell.end) continue;
+        const Vec3 place = grid.nearCentre(cell.corner, cell.level, options.jitter);
+        if (isInExactRange(place)) scaffold.push_back(place);
     }
     return scaffold;
 }
@@ -191,7 +196,8 @@ bool isSurfaceLike(std::span<const Vec3> points)
     const auto occupied = [&](std::uint32_t level) {
         const std::uint32_t shift = 3 * (MortonGrid::kLevels - level);
         std::size_t count = 1;
-        for (std::size_t i = 1; i < codes.size(); ++i) count += codes[i] >> shift != codes[i - 1] >> shift ? 1u : 0u;
+        for (std::size_t i = 1; i < codes.size(); ++i)
+            count += codes[i] >> shift != codes[i - 1] >> shift ? 1u : 0u;
         return count;
     };
     // The finest level at which an occupied cell still has 8 points on average, so that chance leaves few empty.

@@ -36,7 +36,8 @@ struct CellGrid<Vec2>
 
     [[nodiscard]] Curve::Cell cellOf(Vec2 p, double scale, double lastCell) const
     {
-        return {cellNumber((p.x - box.low.x) * scale, lastCell), cellNumber((p.y - box.low.y) * scale, lastCell)};
+        return {cellNumber((p.x - box.low.x) * scale, lastCell),
+                cellNumber((p.y - box.low.y) * scale, lastCell)};
     }
 
     Box2 box;
@@ -57,7 +58,8 @@ struct CellGrid<Vec3>
 
     [[nodiscard]] Curve::Cell cellOf(Vec3 p, double scale, double lastCell) const
     {
-        return {cellNumber((p.x - box.low.x) * scale, lastCell), cellNumber((p.y - box.low.y) * scale, lastCell),
+        return {cellNumber((p.x - box.low.x) * scale, lastCell),
+                cellNumber((p.y - box.low.y) * scale, lastCell),
                 cellNumber((p.z - box.low.z) * scale, lastCell)};
     }
 
@@ -145,7 +147,8 @@ unsigned roundFromLast(std::uint64_t seed, std::uint32_t index, unsigned roundCo
 }
 
 template <class Point>
-std::vector<std::uint32_t> orderInRounds(std::span<const Point> points, unsigned roundCount, std::uint64_t seed)
+std::vector<std::uint32_t> orderInRounds(std::span<const Point> points, unsigned roundCount,
+                                         std::uint64_t seed)
 {
     const auto count = static_cast<std::uint32_t>(points.size());
     std::vector<std::uint32_t> starts(roundCount + 1, 0);

@@ -14,6 +14,8 @@ std::array<VertexId, 3> sortedCorners(std::array<VertexId, 3> face)
     return face;
 }
 
+std::array<VertexId, 2> sortedEdge(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+
 }  // namespace
 
 TetCorners withGhostLast(TetCorners corners)
@@ -58,9 +60,12 @@ void TetReplacement3d::collectSurface(std::span<const TetId> before)
         for (int edge = 0; edge < 6; ++edge) {
             if (!mesh_.isEdgeConstrained(tet, edge)) continue;
             constrainedEdges_.push_back(
-                {mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1])});
+                sortedEdge(mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1])));
         }
     }
+    std::sort(constrainedEdges_.begin(), constrainedEdges_.end());
+    constrainedEdges_.erase(std::unique(constrainedEdges_.begin(), constrainedEdges_.end()),
+                            constrainedEdges_.end());
 }
 
 void TetReplacement3d::create(std::span<const TetId> before, std::span<const TetCorners> after)
@@ -73,6 +78,8 @@ void TetReplacement3d::create(std::span<const TetId> before, std::span<const Tet
         created_.push_back(tet);
         mesh_.tet(tet).vertex = after[i];
         mesh_.setRegion(tet, kExteriorRegion);
+        // The mark stands for: has no region yet.
+        if (!isGhost(after[i][3])) mesh_.state(tet).flags |= tet_flag::kAllowed;
         for (const VertexId v : after[i]) {
             if (!isGhost(v)) mesh_.setIncidentTet(v, tet);
         }
@@ -91,10 +98,7 @@ void TetReplacement3d::linkFaces()
     std::sort(faces_.begin(), faces_.end(), [](const OpenFace& a, const OpenFace& b) {
         return std::tie(a.corner, b.isOuter, a.face) < std::tie(b.corner, a.isOuter, b.face);
     });
-    awaitsRegion_.clear();
-    for (const TetId tet : created_) {
-        if (!mesh_.isGhostTet(tet)) awaitsRegion_.push_back(tet);
-    }
+    regionFront_.clear();
     MESHER_INVARIANT(faces_.size() % 2 == 0);
     for (std::size_t i = 0; i + 1 < faces_.size(); i += 2) {
         const OpenFace& first = faces_[i];  // an outer face stands before the new one it is linked to
@@ -105,39 +109,39 @@ void TetReplacement3d::linkFaces()
         if (mesh_.isFaceConstrained(first.face)) {
             mesh_.state(second.face.tet()).flags |= tet_flag::face(second.face.face());
         }
-        if (mesh_.isGhostTet(second.face.tet())) continue;
-        mesh_.setRegion(second.face.tet(), first.region);
-        std::erase(awaitsRegion_, second.face.tet());
+        if (!mesh_.isGhostTet(second.face.tet())) giveRegion(second.face.tet(), first.region);
     }
+}
+
+void TetReplacement3d::giveRegion(TetId tet, RegionId region)
+{
+    std::uint16_t& flags = mesh_.state(tet).flags;
+    if ((flags & tet_flag::kAllowed) == 0) return;
+    flags = static_cast<std::uint16_t>(flags & ~tet_flag::kAllowed);
+    mesh_.setRegion(tet, region);
+    regionFront_.push_back(tet);
 }
 
 /// A new tetrahedron without a face on the surface lies in the region of those around it. Ghosts are exterior.
 void TetReplacement3d::spreadRegions()
 {
-    while (!awaitsRegion_.empty()) {
-        const std::size_t before = awaitsRegion_.size();
-        std::erase_if(awaitsRegion_, [&](TetId tet) {
-            for (int i = 0; i < 4; ++i) {
-                const TetId other = mesh_.neighbour(tet, i).tet();
-                if (mesh_.isGhostTet(other)) continue;
-                if (std::find(awaitsRegion_.begin(), awaitsRegion_.end(), other) != awaitsRegion_.end()) continue;
-                mesh_.setRegion(tet, mesh_.region(other));
-                return true;
-            }
-            return false;
-        });
-        MESHER_INVARIANT(awaitsRegion_.size() < before);
-        if (awaitsRegion_.size() == before) return;
+    for (std::size_t next = 0; next < regionFront_.size(); ++next) {
+        const TetId tet = regionFront_[next];
+        for (int i = 0; i < 4; ++i) giveRegion(mesh_.neighbour(tet, i).tet(), mesh_.region(tet));
     }
+    MESHER_INVARIANT(std::none_of(created_.begin(), created_.end(),
+                                  [&](TetId tet) { return (mesh_.flags(tet) & tet_flag::kAllowed) != 0; }));
 }
 
 void TetReplacement3d::carryEdgeConstraints()
 {
-    for (const auto& [a, b] : constrainedEdges_) {
-        for (const TetId tet : created_) {
-            const int slotA = mesh_.slotOf(tet, a);
-            const int slotB = mesh_.slotOf(tet, b);
-            if (slotA >= 0 && slotB >= 0) mesh_.state(tet).flags |= tet_flag::edge(kEdgeOfSlots[slotA][slotB]);
+    if (constrainedEdges_.empty()) return;
+    for (const TetId tet : created_) {
+        for (int edge = 0; edge < 6; ++edge) {
+            const auto ends =
+                sortedEdge(mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]));
+            if (!std::binary_search(constrainedEdges_.begin(), constrainedEdges_.end(), ends)) continue;
+            mesh_.state(tet).flags |= tet_flag::edge(edge);
         }
     }
 }

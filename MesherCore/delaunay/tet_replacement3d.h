@@ -46,6 +46,7 @@ private:
     void collectSurface(std::span<const TetId> before);
     void create(std::span<const TetId> before, std::span<const TetCorners> after);
     void linkFaces();
+    void giveRegion(TetId tet, RegionId region);
     void spreadRegions();
     void carryEdgeConstraints();
 
@@ -53,7 +54,7 @@ private:
     std::vector<OpenFace> faces_;
     std::vector<std::array<VertexId, 2>> constrainedEdges_;
     std::vector<TetId> created_;
-    std::vector<TetId> awaitsRegion_;
+    std::vector<TetId> regionFront_;  ///< new tetrahedra that have their region
 };
 
 }  // namespace mesher

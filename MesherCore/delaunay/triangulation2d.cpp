@@ -34,21 +34,6 @@ void Triangulation2d::setOrigin(VertexId vertex, VertexOrigin origin, std::uint3
     vertices_[vertex].entity = entity;
 }
 
-TriangleId Triangulation2d::allocateTriangle()
-{
-    if (firstFreeTriangle_ == TriangleId::kInvalid) {
-        MESHER_PRECONDITION(triangles_.size() < kMaxTriangles);
-        return triangles_.push_back({});
-    }
-    const TriangleId t(firstFreeTriangle_);
-    Triangle2d& record = triangles_[t];
-    firstFreeTriangle_ = record.v[0].value;
-    --freeTriangles_;
-    record.flags = 0;
-    record.region = RegionId(0);
-    return t;
-}
-
 void Triangulation2d::freeTriangle(TriangleId t)
 {
     Triangle2d& record = triangles_[t];

@@ -183,6 +183,21 @@ private:
     std::size_t freeVertices_ = 0;
 };
 
+inline TriangleId Triangulation2d::allocateTriangle()
+{
+    if (firstFreeTriangle_ == TriangleId::kInvalid) {
+        MESHER_PRECONDITION(triangles_.size() < kMaxTriangles);
+        return triangles_.push_back({});
+    }
+    const TriangleId t(firstFreeTriangle_);
+    Triangle2d& record = triangles_[t];
+    firstFreeTriangle_ = record.v[0].value;
+    --freeTriangles_;
+    record.flags = 0;
+    record.region = RegionId(0);
+    return t;
+}
+
 template <class Visit>
 void Triangulation2d::forEachTriangleAround(VertexId vertex, Visit&& visit) const
 {

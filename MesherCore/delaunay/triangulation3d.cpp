@@ -46,7 +46,8 @@ bool Triangulation3d::isVertexAlive(VertexId vertex) const
 std::uint32_t Triangulation3d::finiteTetCount() const
 {
     std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < tetLimit(); ++i) count += isAlive(TetId(i)) && !isGhostTet(TetId(i)) ? 1u : 0u;
+    for (std::uint32_t i = 0; i < tetLimit(); ++i)
+        count += isAlive(TetId(i)) && !isGhostTet(TetId(i)) ? 1u : 0u;
     return count;
 }
 
@@ -71,7 +72,7 @@ TetId Triangulation3d::allocateTet()
     }
     if (tets_.size() == tets_.capacity()) growTets();
     tets_.push_back({});
-    states_.push_back({});
+    states_.push_back({0, firstGeneration_});
     return regions_.push_back(kExteriorRegion);
 }
 
@@ -179,6 +180,7 @@ void Triangulation3d::clear()
     states_.clear();
     regions_.clear();
     freeTets_.clear();
+    firstGeneration_ = 0;
     wasConstrained_ = false;
 }
 
@@ -218,6 +220,10 @@ Renumbering3d Triangulation3d::compact()
         tets_[to] = record;
         states_[to].flags = states_[TetId(i)].flags;
         regions_[to] = regions_[TetId(i)];
+    }
+    // Slots that are cut off may come again: no entry of before may then pass for a current one.
+    for (const TetState& state : states_) {
+        firstGeneration_ = std::max(firstGeneration_, static_cast<std::uint16_t>(state.generation + 1));
     }
     vertices_.resize(vertexEnd);
     incidentTet_.resize(vertexEnd);

@@ -53,11 +53,13 @@ struct TetState
 };
 
 namespace tet_flag {
-inline constexpr std::uint16_t kFaces = 0x000F;       ///< bit i: face i is constrained
-inline constexpr std::uint16_t kEdges = 0x03F0;       ///< bit 4 + e: edge e is constrained
-inline constexpr std::uint16_t kDead = 0x0400;        ///< the slot is on the free list
-inline constexpr std::uint16_t kInCavity = 0x0800;    ///< scratch of one local operation, clear between operations
-inline constexpr std::uint16_t kAllowed = 0x1000;     ///< scratch of one local operation, clear between operations
+inline constexpr std::uint16_t kFaces = 0x000F;  ///< bit i: face i is constrained
+inline constexpr std::uint16_t kEdges = 0x03F0;  ///< bit 4 + e: edge e is constrained
+inline constexpr std::uint16_t kDead = 0x0400;   ///< the slot is on the free list
+inline constexpr std::uint16_t kInCavity =
+    0x0800;  ///< scratch of one local operation, clear between operations
+inline constexpr std::uint16_t kAllowed =
+    0x1000;  ///< scratch of one local operation, clear between operations
 inline constexpr std::uint16_t kConstraints = kFaces | kEdges;
 
 constexpr std::uint16_t face(int i) { return static_cast<std::uint16_t>(1u << i); }
@@ -125,7 +127,10 @@ public:
     // --- tetrahedra
     [[nodiscard]] const TetRecord& tet(TetId tet) const { return tets_[tet]; }
     [[nodiscard]] TetRecord& tet(TetId tet) { return tets_[tet]; }
-    [[nodiscard]] VertexId vertex(TetId tet, int slot) const { return tets_[tet].vertex[static_cast<unsigned>(slot)]; }
+    [[nodiscard]] VertexId vertex(TetId tet, int slot) const
+    {
+        return tets_[tet].vertex[static_cast<unsigned>(slot)];
+    }
     [[nodiscard]] TetFace neighbour(TetId tet, int face) const
     {
         return tets_[tet].neighbour[static_cast<unsigned>(face)];
@@ -221,6 +226,7 @@ private:
     IdVector<TetId, TetState> states_;
     IdVector<TetId, RegionId> regions_;
     std::vector<TetId> freeTets_;
+    std::uint16_t firstGeneration_ = 0;  ///< of a slot at the end of the arrays
     bool wasConstrained_ = false;
 };
 

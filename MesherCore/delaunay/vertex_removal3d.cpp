@@ -16,6 +16,9 @@ std::array<VertexId, 3> smallestFirst(const std::array<VertexId, 3>& face)
     return {face[2], face[0], face[1]};
 }
 
+/// The ghost is the largest id, so it is never first; which of the others it is depends on the sense of the face.
+bool hasGhost(const std::array<VertexId, 3>& face) { return isGhost(face[1]) || isGhost(face[2]); }
+
 }  // namespace
 
 VertexRemoval3d::VertexRemoval3d(Triangulation3d& mesh) : mesh_(mesh), replacement_(mesh) {}
@@ -32,9 +35,9 @@ VertexHole3d VertexRemoval3d::find(VertexId vertex)
     triangulateCorners();
     if (local_->dimension() < 3) {
         const bool hasOthers = std::any_of(holeFaces_.begin(), holeFaces_.end(), [&](const HoleFace& face) {
-            return !isGhost(face.corner[2]) && !mesh_.isGhostTet(face.outer.tet());
+            return !hasGhost(face.corner) && !mesh_.isGhostTet(face.outer.tet());
         });
-        if (!hasOthers) return VertexHole3d::WholeSpace;
+        if (!hasOthers) return hasConstraint() ? VertexHole3d::Untriangulable : VertexHole3d::WholeSpace;
         fillFlatHole();
         return VertexHole3d::Ready;
     }
@@ -54,6 +57,12 @@ bool VertexRemoval3d::isOnConstraint() const
         }
     }
     return false;
+}
+
+bool VertexRemoval3d::hasConstraint() const
+{
+    return std::any_of(star_.begin(), star_.end(),
+                       [&](TetId tet) { return (mesh_.flags(tet) & tet_flag::kConstraints) != 0; });
 }
 
 void VertexRemoval3d::collectHole()
@@ -91,16 +100,16 @@ void VertexRemoval3d::triangulateCorners()
 void VertexRemoval3d::fillFlatHole()
 {
     for (const HoleFace& face : holeFaces_) {
-        if (isGhost(face.corner[2])) continue;
+        if (hasGhost(face.corner)) continue;
         filling_.push_back({face.corner[0], face.corner[1], face.corner[2], kGhostVertex});
     }
 }
 
 std::uint32_t VertexRemoval3d::findHoleFace(const std::array<VertexId, 3>& corner) const
 {
-    const auto found =
-        std::lower_bound(holeFaces_.begin(), holeFaces_.end(), corner,
-                         [](const HoleFace& face, const std::array<VertexId, 3>& key) { return face.corner < key; });
+    const auto found = std::lower_bound(
+        holeFaces_.begin(), holeFaces_.end(), corner,
+        [](const HoleFace& face, const std::array<VertexId, 3>& key) { return face.corner < key; });
     if (found == holeFaces_.end() || found->corner != corner) return kNone;
     return static_cast<std::uint32_t>(found - holeFaces_.begin());
 }
@@ -127,8 +136,8 @@ bool VertexRemoval3d::fillFromDelaunay()
     if (matched != holeFaces_.size()) return false;
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const TetRecord& record = local.tet(queue_[next]);
-        filling_.push_back({original(record.vertex[0]), original(record.vertex[1]), original(record.vertex[2]),
-                            original(record.vertex[3])});
+        filling_.push_back({original(record.vertex[0]), original(record.vertex[1]),
+                            original(record.vertex[2]), original(record.vertex[3])});
         for (unsigned face = 0; face < 4; ++face) {
             const TetId other = record.neighbour[face].tet();
             if (isBounded_[queue_[next].value * 4 + face] != 0 || isInside_[other.value] != 0) continue;

@@ -15,7 +15,8 @@ enum class VertexHole3d : std::uint8_t
 {
     Ready,
     OnConstraint,    ///< a constrained edge or face ends at the vertex
-    Untriangulable,  ///< a constrained face of the hole is no face of the Delaunay tetrahedra of its vertices
+    Untriangulable,  ///< a face of the hole is no face of the Delaunay tetrahedra of its vertices, or there are
+                     ///< constraints and without the vertex no tetrahedra to hold them
     WholeSpace       ///< without the vertex the others do not span space
 };
 
@@ -49,6 +50,7 @@ private:
     };
 
     bool isOnConstraint() const;
+    bool hasConstraint() const;
     void collectHole();
     void triangulateCorners();
     void fillFlatHole();
@@ -63,8 +65,8 @@ private:
     std::vector<TetCorners> filling_;
     TetReplacement3d replacement_;
     std::vector<TetId> queue_;
-    std::vector<char> isInside_;   ///< by tetrahedron of local_
-    std::vector<char> isBounded_;  ///< by face of local_: it is a face of the hole, seen from inside
+    std::vector<char> isInside_;         ///< by tetrahedron of local_
+    std::vector<char> isBounded_;        ///< by face of local_: it is a face of the hole, seen from inside
     std::unique_ptr<Delaunay3d> local_;  ///< made on first use: it owns the like of this class
 };
 

@@ -10,9 +10,10 @@
 ///
 /// Guarantees  sums and scalings are exact; components are ordered by increasing magnitude, none is zero, and
 ///             they are strongly nonoverlapping, so the last one has the sign of the whole
-/// Requires    rounding to nearest even; no overflow, and every product a multiple of 2^-1074: the exact range
-///             (coordinate_range.h) grants both for products of up to five coordinates
-/// Reference   [shewchuk1997] theorems 6, 7, 13, 18, 19 (two-sum, fast-two-sum, expansion sum, two-product, scaling)
+/// Requires    rounding to nearest even; no overflow, and every product a multiple of 2^-1074: the exact
+///             range (coordinate_range.h) grants both for products of up to five coordinates
+/// Reference   [shewchuk1997] theorems 6, 7, 13, 18, 19 (two-sum, fast-two-sum, expansion sum, two-product,
+///             scaling)
 namespace mesher::detail {
 
 /// A value and the roundoff that was lost in computing it: their sum is exact.
@@ -99,8 +100,10 @@ template <std::size_t M, std::size_t N>
 class MergedComponents
 {
 public:
-    MergedComponents(const Expansion<M>& a, const Expansion<N>& b, double signOfB) : a_(a), b_(b), signOfB_(signOfB)
-    {}
+    MergedComponents(const Expansion<M>& a, const Expansion<N>& b, double signOfB)
+        : a_(a), b_(b), signOfB_(signOfB)
+    {
+    }
 
     [[nodiscard]] bool isDone() const { return i_ == a_.size() && j_ == b_.size(); }
     double next()

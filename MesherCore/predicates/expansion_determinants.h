@@ -55,7 +55,8 @@ inline Expansion<384> expansionIncircle(const Vec2& a, const Vec2& b, const Vec2
            (liftedTerm(expansionOrient2d(a, b, d), c) - liftedTerm(expansionOrient2d(a, b, c), d));
 }
 
-inline Expansion<5760> expansionInsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
+inline Expansion<5760> expansionInsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                         const Vec3& e)
 {
     return ((liftedTerm(expansionOrient3d(e, b, c, d), a) + liftedTerm(expansionOrient3d(a, e, c, d), b)) +
             (liftedTerm(expansionOrient3d(a, b, e, d), c) + liftedTerm(expansionOrient3d(a, b, c, e), d))) -

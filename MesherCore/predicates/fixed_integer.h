@@ -24,9 +24,8 @@ public:
     static FixedInteger fromParts(std::int64_t high, std::int64_t low)
     {
         static_assert(Limbs == 2);
-        const SignedInt128 value = static_cast<SignedInt128>(high) * (SignedInt128{1} << 62) + low;
-        const auto bits = static_cast<UnsignedInt128>(value);
-        return FixedInteger({static_cast<std::uint64_t>(bits), static_cast<std::uint64_t>(bits >> 64)});
+        return ofBits(
+            static_cast<UnsignedInt128>(static_cast<SignedInt128>(high) * (SignedInt128{1} << 62) + low));
     }
     static FixedInteger fromInt64(std::int64_t value)
     {
@@ -34,18 +33,31 @@ public:
         return FixedInteger({static_cast<std::uint64_t>(value)});
     }
 
+    /// Two limbs are what the compiler can compute with itself.
+    static FixedInteger ofBits(UnsignedInt128 bits)
+    {
+        static_assert(Limbs == 2);
+        return FixedInteger({static_cast<std::uint64_t>(bits), static_cast<std::uint64_t>(bits >> 64)});
+    }
+    [[nodiscard]] UnsignedInt128 bits() const
+    {
+        static_assert(Limbs == 2);
+        return (static_cast<UnsignedInt128>(limb_[1]) << 64) | limb_[0];
+    }
+
     [[nodiscard]] std::uint64_t limb(std::size_t i) const { return limb_[i]; }
     [[nodiscard]] bool isNegative() const { return (limb_[Limbs - 1] >> 63) != 0; }
     [[nodiscard]] Sign sign() const
     {
-        if (isNegative()) return Sign::Negative;
         std::uint64_t any = 0;
         for (const std::uint64_t limb : limb_) any |= limb;
-        return any != 0 ? Sign::Positive : Sign::Zero;
+        // Without branches: near a degeneracy nothing predicts the sign.
+        return static_cast<Sign>((any != 0 ? 1 : 0) - 2 * (isNegative() ? 1 : 0));
     }
 
     friend FixedInteger operator+(const FixedInteger& a, const FixedInteger& b)
     {
+        if constexpr (Limbs == 2) return ofBits(a.bits() + b.bits());
         FixedInteger sum;
         UnsignedInt128 carry = 0;
         for (std::size_t i = 0; i < Limbs; ++i) {
@@ -57,6 +69,7 @@ public:
     }
     friend FixedInteger operator-(const FixedInteger& a, const FixedInteger& b)
     {
+        if constexpr (Limbs == 2) return ofBits(a.bits() - b.bits());
         FixedInteger difference;
         UnsignedInt128 carry = 1;
         for (std::size_t i = 0; i < Limbs; ++i) {
@@ -69,8 +82,14 @@ public:
 
     /// The full product; as wide as both factors together, so it cannot overflow.
     template <std::size_t OtherLimbs>
-    friend FixedInteger<Limbs + OtherLimbs> operator*(const FixedInteger& a, const FixedInteger<OtherLimbs>& b)
+    friend FixedInteger<Limbs + OtherLimbs> operator*(const FixedInteger& a,
+                                                      const FixedInteger<OtherLimbs>& b)
     {
+        if constexpr (Limbs == 1 && OtherLimbs == 1) {
+            const auto signedProduct = static_cast<SignedInt128>(static_cast<std::int64_t>(a.limb(0))) *
+                                       static_cast<std::int64_t>(b.limb(0));
+            return FixedInteger<2>::ofBits(static_cast<UnsignedInt128>(signedProduct));
+        }
         std::array<std::uint64_t, Limbs + OtherLimbs> product{};
         for (std::size_t i = 0; i < Limbs; ++i) {
             std::uint64_t carry = 0;

@@ -4,8 +4,10 @@
 #include "predicates/coordinate_range.h"
 #include "predicates/exact_tiers.h"
 #include "predicates/expansion_determinants.h"
+#include "predicates/flat_coordinates.h"
 #include "predicates/integer_determinants.h"
 #include "predicates/orient2d.h"
+#include "predicates/short_coordinates.h"
 
 #include <algorithm>
 #include <array>
@@ -13,16 +15,33 @@
 
 namespace mesher::detail {
 
+namespace {
+
+/// Bits of the differences for which all sums stay below 2^53: the two terms are at most (2 * 2^(2 * 12))^2
+/// each and sum to 2^51.
+constexpr int kShortBits = 12;
+
+}  // namespace
+
+std::optional<Sign> incircleShort(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+{
+    const IncircleEstimate estimate(a, b, c, d);
+    const Vec2 largest = estimate.largestDifferences();
+    const double difference = std::max(largest.x, largest.y);
+    if (!areShort(flatCoordinates(a, b, c, d), difference, kShortBits)) return std::nullopt;
+    return signOf(estimate.determinant);
+}
+
 std::optional<Sign> incircleInteger64(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
-    const auto grid = toGrid64(std::array<double, 8>{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
+    const auto grid = toGrid64(flatCoordinates(a, b, c, d));
     if (!grid) return std::nullopt;
     return gridIncircle(*grid);
 }
 
 std::optional<Sign> incircleInteger128(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
-    const auto grid = toGrid128(std::array<double, 8>{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
+    const auto grid = toGrid128(flatCoordinates(a, b, c, d));
     if (!grid) return std::nullopt;
     return gridIncircle(*grid);
 }
@@ -35,6 +54,7 @@ Sign incircleExpansion(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& 
 Sign incircleExact(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     MESHER_PRECONDITION(isInExactRange(a) && isInExactRange(b) && isInExactRange(c) && isInExactRange(d));
+    if (const auto sign = incircleShort(a, b, c, d)) return *sign;
     if (const auto sign = incircleInteger64(a, b, c, d)) return *sign;
     if (const auto sign = incircleInteger128(a, b, c, d)) return *sign;
     return incircleExpansion(a, b, c, d);

@@ -4,8 +4,10 @@
 #include "predicates/coordinate_range.h"
 #include "predicates/exact_tiers.h"
 #include "predicates/expansion_determinants.h"
+#include "predicates/flat_coordinates.h"
 #include "predicates/integer_determinants.h"
 #include "predicates/orient3d.h"
+#include "predicates/short_coordinates.h"
 
 #include <algorithm>
 #include <array>
@@ -13,16 +15,33 @@
 
 namespace mesher::detail {
 
-std::optional<Sign> insphereInteger64(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
+namespace {
+
+/// Bits of the differences for which all sums stay below 2^53: 72 terms of at most 2^(5 * 9) each.
+constexpr int kShortBits = 9;
+
+}  // namespace
+
+std::optional<Sign> insphereShort(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
 {
-    const auto grid = toGrid64(std::array<double, 15>{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z});
+    const InsphereEstimate estimate(a, b, c, d, e);
+    const double difference = estimate.largestDifference();
+    if (!areShort(flatCoordinates(a, b, c, d, e), difference, kShortBits)) return std::nullopt;
+    return signOf(estimate.determinant);
+}
+
+std::optional<Sign> insphereInteger64(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                      const Vec3& e)
+{
+    const auto grid = toGrid64(flatCoordinates(a, b, c, d, e));
     if (!grid) return std::nullopt;
     return gridInsphere(*grid);
 }
 
-std::optional<Sign> insphereInteger128(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
+std::optional<Sign> insphereInteger128(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                       const Vec3& e)
 {
-    const auto grid = toGrid128(std::array<double, 15>{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z});
+    const auto grid = toGrid128(flatCoordinates(a, b, c, d, e));
     if (!grid) return std::nullopt;
     return gridInsphere(*grid);
 }
@@ -34,7 +53,9 @@ Sign insphereExpansion(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 
 Sign insphereExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
 {
-    MESHER_PRECONDITION(isInExactRange(a) && isInExactRange(b) && isInExactRange(c) && isInExactRange(d) && isInExactRange(e));
+    MESHER_PRECONDITION(isInExactRange(a) && isInExactRange(b) && isInExactRange(c) && isInExactRange(d) &&
+                        isInExactRange(e));
+    if (const auto sign = insphereShort(a, b, c, d, e)) return *sign;
     if (const auto sign = insphereInteger64(a, b, c, d, e)) return *sign;
     if (const auto sign = insphereInteger128(a, b, c, d, e)) return *sign;
     return insphereExpansion(a, b, c, d, e);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "predicates/double_pair.h"
 #include "predicates/error_bounds.h"
 #include "predicates/sign.h"
 #include "predicates/static_filter.h"
@@ -12,48 +13,76 @@ namespace mesher {
 
 namespace detail {
 
-/// The determinant in plain double arithmetic and what bounds its error. Laplace expansion along the column
-/// pairs (x, y) and (z, lift): six products of two-by-two minors.
+/// The determinant in plain double arithmetic and what bounds its error. With the points relative to e and
+/// their lifts, it is (|a|^2 b - |b|^2 a) . (c x d) + (|c|^2 d - |d|^2 c) . (a x b): two halves of one shape,
+/// which are computed side by side.
 struct InsphereEstimate
 {
-    Vec3 a;
-    Vec3 b;
-    Vec3 c;
-    Vec3 d;
-    double liftA;
-    double liftB;
-    double liftC;
-    double liftD;
+    VectorPair ac;
+    VectorPair bd;
+    DoublePair liftAC;
+    DoublePair liftBD;
     double determinant;
 
-    InsphereEstimate(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& pd, const Vec3& e)
-        : a(pa - e), b(pb - e), c(pc - e), d(pd - e), liftA(squaredLength(a)), liftB(squaredLength(b)),
-          liftC(squaredLength(c)), liftD(squaredLength(d)), determinant(laplace())
-    {}
-
-    [[nodiscard]] double laplace() const
+    InsphereEstimate(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
+        : ac(relative(a, c, e)),
+          bd(relative(b, d, e)),
+          liftAC(squaredLength(ac)),
+          liftBD(squaredLength(bd)),
+          determinant(evaluate())
     {
-        const double ab = (a.x * b.y - a.y * b.x) * (d.z * liftC - c.z * liftD);
-        const double ac = (a.x * c.y - a.y * c.x) * (b.z * liftD - d.z * liftB);
-        const double ad = (a.x * d.y - a.y * d.x) * (c.z * liftB - b.z * liftC);
-        const double bc = (b.x * c.y - b.y * c.x) * (d.z * liftA - a.z * liftD);
-        const double bd = (b.x * d.y - b.y * d.x) * (a.z * liftC - c.z * liftA);
-        const double cd = (c.x * d.y - c.y * d.x) * (b.z * liftA - a.z * liftB);
-        return ((ab + ac) + (ad + bc)) + (bd + cd);
+    }
+
+    [[nodiscard]] static VectorPair relative(const Vec3& p, const Vec3& q, const Vec3& e)
+    {
+        return {DoublePair{p.x, q.x} - DoublePair{e.x, e.x}, DoublePair{p.y, q.y} - DoublePair{e.y, e.y},
+                DoublePair{p.z, q.z} - DoublePair{e.z, e.z}};
+    }
+
+    [[nodiscard]] double evaluate() const
+    {
+        const VectorPair normals = cross(ac, bd);
+        const DoublePair x = (liftAC * bd.x - liftBD * ac.x) * swapped(normals.x);
+        const DoublePair y = (liftAC * bd.y - liftBD * ac.y) * swapped(normals.y);
+        const DoublePair z = (liftAC * bd.z - liftBD * ac.z) * swapped(normals.z);
+        const DoublePair halves = x + y + z;
+        return halves[0] + halves[1];
     }
 
     [[nodiscard]] double errorBound() const
     {
-        const double x = std::max(std::max(std::abs(a.x), std::abs(b.x)), std::max(std::abs(c.x), std::abs(d.x)));
-        const double y = std::max(std::max(std::abs(a.y), std::abs(b.y)), std::max(std::abs(c.y), std::abs(d.y)));
-        const double z = std::max(std::max(std::abs(a.z), std::abs(b.z)), std::max(std::abs(c.z), std::abs(d.z)));
-        const double lift = std::max(std::max(liftA, liftB), std::max(liftC, liftD));
-        return kInsphereBound * (x * y) * (z * lift);
+        const DoublePair x = maximum(absolute(ac.x), absolute(bd.x));
+        const DoublePair y = maximum(absolute(ac.y), absolute(bd.y));
+        const DoublePair z = maximum(absolute(ac.z), absolute(bd.z));
+        const DoublePair lift = maximum(liftAC, liftBD);
+        const DoublePair xy = maximum(DoublePair{x[0], y[0]}, DoublePair{x[1], y[1]});
+        const DoublePair zLift = maximum(DoublePair{z[0], lift[0]}, DoublePair{z[1], lift[1]});
+        const DoublePair product = xy * zLift;
+        return kInsphereBound * product[0] * product[1];
+    }
+    [[nodiscard]] double largestDifference() const
+    {
+        const DoublePair x = maximum(absolute(ac.x), absolute(bd.x));
+        const DoublePair y = maximum(absolute(ac.y), absolute(bd.y));
+        const DoublePair z = maximum(absolute(ac.z), absolute(bd.z));
+        const DoublePair largest = maximum(x, maximum(y, z));
+        return std::max(largest[0], largest[1]);
     }
 };
 
 Sign insphereExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 Sign inspherePerturbation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
+
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate,
+/// and then so does the determinant.
+inline Sign insphereFiltered(const InsphereEstimate& estimate, const Vec3& a, const Vec3& b, const Vec3& c,
+                             const Vec3& d, const Vec3& e)
+{
+    const double bound = estimate.errorBound();
+    if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
+    if (bound == 0.0) return Sign::Zero;
+    return insphereExact(a, b, c, d, e);
+}
 
 }  // namespace detail
 
@@ -67,8 +96,7 @@ Sign inspherePerturbation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 [[nodiscard]] inline Sign insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e)
 {
     const detail::InsphereEstimate estimate(a, b, c, d, e);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::insphereExact(a, b, c, d, e);
+    return detail::insphereFiltered(estimate, a, b, c, d, e);
 }
 
 /// The same; `filter` must have been made for a box that contains the five points.
@@ -77,8 +105,7 @@ Sign inspherePerturbation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 {
     const detail::InsphereEstimate estimate(a, b, c, d, e);
     if (std::abs(estimate.determinant) > filter.insphere) return signOfNonZero(estimate.determinant);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::insphereExact(a, b, c, d, e);
+    return detail::insphereFiltered(estimate, a, b, c, d, e);
 }
 
 /// `insphere` of points whose lifts are raised by infinitesimals, that of the lexicographically larger point
@@ -86,8 +113,8 @@ Sign inspherePerturbation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 /// triangulation it defines is unique.
 ///
 /// Sign       that of `insphere` where it is not zero; else of the first non-zero term, going from the
-///            lexicographically largest point to the smallest: for e the term is -orient3d(a, b, c, d), for one
-///            of a, b, c, d it is orient3d(a, b, c, d) with e in that point's place
+///            lexicographically largest point to the smallest: for e the term is -orient3d(a, b, c, d), for
+///            one of a, b, c, d it is orient3d(a, b, c, d) with e in that point's place
 /// Laws       zero iff all five points are coplanar or two of them coincide; swapping any two flips the sign
 /// Requires   as `insphere`
 /// Reference  [devillers2011] section 3

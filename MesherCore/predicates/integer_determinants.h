@@ -68,7 +68,8 @@ Sign gridOrient3d(const GridCoordinates<Limbs, 12>& points)
     const auto u = gridVector3(points, 0, 1);
     const auto v = gridVector3(points, 0, 2);
     const auto w = gridVector3(points, 0, 3);
-    return (u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x)).sign();
+    return (u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x))
+        .sign();
 }
 
 template <std::size_t Limbs>

@@ -21,13 +21,16 @@ using GridCoordinates = std::array<FixedInteger<Limbs>, Count>;
 template <std::size_t Limbs>
 inline constexpr int kGridBits = static_cast<int>(64 * Limbs) - 3;
 
-/// The power of two that takes the largest coordinate just below 2^bits; exact, since the exact range keeps all
-/// exponents within +-200.
+/// The power of two that takes the largest coordinate just below 2^bits; exact, since the exact range keeps
+/// all exponents within +-200.
 template <std::size_t Count>
 double gridScale(const std::array<double, Count>& coordinates, int bits)
 {
-    double largest = 0x1p-200;
-    for (const double coordinate : coordinates) largest = std::max(largest, std::abs(coordinate));
+    // Four running maxima, because one would wait for itself at every step.
+    std::array<double, 4> partial{0x1p-200, 0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < Count; ++i)
+        partial[i % 4] = std::max(partial[i % 4], std::abs(coordinates[i]));
+    const double largest = std::max(std::max(partial[0], partial[1]), std::max(partial[2], partial[3]));
     const auto biasedExponent = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52);
     return std::bit_cast<double>(static_cast<std::uint64_t>(2 * 1023 + bits - 1 - biasedExponent) << 52);
 }

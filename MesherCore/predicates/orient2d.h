@@ -19,17 +19,34 @@ struct Orient2dEstimate
     Vec2 v;
     double determinant;
 
-    Orient2dEstimate(const Vec2& a, const Vec2& b, const Vec2& c) : u(b - a), v(c - a), determinant(cross(u, v)) {}
+    Orient2dEstimate(const Vec2& a, const Vec2& b, const Vec2& c)
+        : u(b - a), v(c - a), determinant(cross(u, v))
+    {
+    }
 
     [[nodiscard]] double errorBound() const
     {
-        const double x = std::max(std::abs(u.x), std::abs(v.x));
-        const double y = std::max(std::abs(u.y), std::abs(v.y));
-        return kOrient2dBound * x * y;
+        const Vec2 largest = largestDifferences();
+        return kOrient2dBound * largest.x * largest.y;
+    }
+    /// Per axis.
+    [[nodiscard]] Vec2 largestDifferences() const
+    {
+        return {std::max(std::abs(u.x), std::abs(v.x)), std::max(std::abs(u.y), std::abs(v.y))};
     }
 };
 
 Sign orient2dExact(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate,
+/// and then so does the determinant.
+inline Sign orient2dFiltered(const Orient2dEstimate& estimate, const Vec2& a, const Vec2& b, const Vec2& c)
+{
+    const double bound = estimate.errorBound();
+    if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
+    if (bound == 0.0) return Sign::Zero;
+    return orient2dExact(a, b, c);
+}
 
 }  // namespace detail
 
@@ -42,8 +59,7 @@ Sign orient2dExact(const Vec2& a, const Vec2& b, const Vec2& c);
 [[nodiscard]] inline Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c)
 {
     const detail::Orient2dEstimate estimate(a, b, c);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::orient2dExact(a, b, c);
+    return detail::orient2dFiltered(estimate, a, b, c);
 }
 
 /// The same; `filter` must have been made for a box that contains the three points.
@@ -51,8 +67,7 @@ Sign orient2dExact(const Vec2& a, const Vec2& b, const Vec2& c);
 {
     const detail::Orient2dEstimate estimate(a, b, c);
     if (std::abs(estimate.determinant) > filter.orient2d) return signOfNonZero(estimate.determinant);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::orient2dExact(a, b, c);
+    return detail::orient2dFiltered(estimate, a, b, c);
 }
 
 }  // namespace mesher

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "predicates/double_pair.h"
 #include "predicates/error_bounds.h"
 #include "predicates/sign.h"
 #include "predicates/static_filter.h"
@@ -12,28 +13,63 @@ namespace mesher {
 
 namespace detail {
 
-/// The determinant in plain double arithmetic and what bounds its error.
+/// The determinant in plain double arithmetic and what bounds its error. The three positive products of the rule
+/// of Sarrus are summed in one half of a vector register and the three negative ones in the other.
 struct Orient3dEstimate
 {
-    Vec3 u;
-    Vec3 v;
-    Vec3 w;
+    DoublePair uXY;
+    DoublePair vXY;
+    DoublePair wXY;
+    double uZ;
+    double vZ;
+    double wZ;
     double determinant;
 
     Orient3dEstimate(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
-        : u(b - a), v(c - a), w(d - a), determinant(dot(u, cross(v, w)))
-    {}
+        : uXY(loadXY(b) - loadXY(a)),
+          vXY(loadXY(c) - loadXY(a)),
+          wXY(loadXY(d) - loadXY(a)),
+          uZ(b.z - a.z),
+          vZ(c.z - a.z),
+          wZ(d.z - a.z),
+          determinant(evaluate())
+    {
+    }
+
+    [[nodiscard]] double evaluate() const
+    {
+        const DoublePair uvw = both(uZ) * (vXY * swapped(wXY));
+        const DoublePair vwu = both(vZ) * (wXY * swapped(uXY));
+        const DoublePair wuv = both(wZ) * (uXY * swapped(vXY));
+        const DoublePair halves = uvw + vwu + wuv;
+        return halves[0] - halves[1];
+    }
 
     [[nodiscard]] double errorBound() const
     {
-        const double x = std::max(std::max(std::abs(u.x), std::abs(v.x)), std::abs(w.x));
-        const double y = std::max(std::max(std::abs(u.y), std::abs(v.y)), std::abs(w.y));
-        const double z = std::max(std::max(std::abs(u.z), std::abs(v.z)), std::abs(w.z));
-        return kOrient3dBound * x * y * z;
+        const Vec3 largest = largestDifferences();
+        return kOrient3dBound * largest.x * largest.y * largest.z;
+    }
+    /// Per axis.
+    [[nodiscard]] Vec3 largestDifferences() const
+    {
+        const DoublePair xy = maximum(maximum(absolute(uXY), absolute(vXY)), absolute(wXY));
+        return {xy[0], xy[1], std::max(std::max(std::abs(uZ), std::abs(vZ)), std::abs(wZ))};
     }
 };
 
 Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// The tiers behind the static filter. The error bound vanishes only if all points agree in one coordinate,
+/// and then so does the determinant.
+inline Sign orient3dFiltered(const Orient3dEstimate& estimate, const Vec3& a, const Vec3& b, const Vec3& c,
+                             const Vec3& d)
+{
+    const double bound = estimate.errorBound();
+    if (std::abs(estimate.determinant) > bound) return signOfNonZero(estimate.determinant);
+    if (bound == 0.0) return Sign::Zero;
+    return orient3dExact(a, b, c, d);
+}
 
 }  // namespace detail
 
@@ -46,8 +82,7 @@ Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 [[nodiscard]] inline Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const detail::Orient3dEstimate estimate(a, b, c, d);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::orient3dExact(a, b, c, d);
+    return detail::orient3dFiltered(estimate, a, b, c, d);
 }
 
 /// The same; `filter` must have been made for a box that contains the four points.
@@ -56,8 +91,7 @@ Sign orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 {
     const detail::Orient3dEstimate estimate(a, b, c, d);
     if (std::abs(estimate.determinant) > filter.orient3d) return signOfNonZero(estimate.determinant);
-    if (std::abs(estimate.determinant) > estimate.errorBound()) return signOfNonZero(estimate.determinant);
-    return detail::orient3dExact(a, b, c, d);
+    return detail::orient3dFiltered(estimate, a, b, c, d);
 }
 
 }  // namespace mesher

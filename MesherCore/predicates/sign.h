@@ -11,7 +11,10 @@ enum class Sign : int
 };
 
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
-constexpr Sign operator*(Sign a, Sign b) { return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b)); }
+constexpr Sign operator*(Sign a, Sign b)
+{
+    return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
+}
 constexpr Sign signOf(double value)
 {
     return value > 0.0 ? Sign::Positive : (value < 0.0 ? Sign::Negative : Sign::Zero);

@@ -6,6 +6,7 @@
 #include "delaunay/delaunay_check2d.h"
 #include "delaunay/mesh_hash2d.h"
 #include "delaunay/replay2d.h"
+#include "predicates/coordinate_range.h"
 
 #include <cmath>
 #include <cstdio>
@@ -80,14 +81,20 @@ private:
 
     void step()
     {
-        // The number of vertices swings between none and a few hundred.
+        // The number of vertices swings between none and a few hundred; beyond, constraints are given free as well, or
+        // the vertices they hold would only become more.
+        constexpr std::size_t kMany = 500;
         const double phase = std::sin(static_cast<double>(done_) * 0.0007);
+        const bool isCrowded = labels_.size() > kMany;
+        const std::uint32_t insertBelow = isCrowded ? 5 : static_cast<std::uint32_t>(42.0 + 30.0 * phase);
+        const std::uint32_t constrainBelow = isCrowded ? 60 : 95;
+        const std::uint32_t removeBelow = isCrowded ? 59 : 84;
         const std::uint32_t dice = random_.below(100);
-        if (labels_.empty() || dice < static_cast<std::uint32_t>(42.0 + 30.0 * phase))
+        if (labels_.empty() || dice < insertBelow)
             insert();
-        else if (dice < 84)
+        else if (dice < removeBelow)
             remove();
-        else if (dice < 95)
+        else if (dice < constrainBelow)
             constrain();
         else if (dice < 98)
             unconstrain();
@@ -177,7 +184,7 @@ private:
         }
     }
 
-    /// A vertex, or one unit in the last place beside it.
+    /// A vertex, or one unit in the last place beside it; the units beside 0 are out of the exact range.
     Vec2 nearVertex()
     {
         const VertexId vertex = labels_.empty() ? VertexId() : replayer_.vertexOf(labels_[randomIndex()]);
@@ -185,7 +192,7 @@ private:
         Vec2 p = mesh().position(vertex);
         if (random_.below(3) != 0) p.x = std::nextafter(p.x, 20.0);
         if (random_.below(3) != 0) p.y = std::nextafter(p.y, -20.0);
-        return p;
+        return isInExactRange(p) ? p : mesh().position(vertex);
     }
 
     /// The rounded midpoint of an edge: exactly on it on the lattice.

@@ -46,7 +46,8 @@ TEST(LargePageAllocator, KeepsTheElementsWhenAnArrayGrowsLarge)
 TEST(LargePageAllocator, RefusesACountWhoseBytesOverflow)
 {
     LargePageAllocator<Record> allocator;
-    EXPECT_THROW(static_cast<void>(allocator.allocate(static_cast<std::size_t>(-1) / 16)), std::bad_array_new_length);
+    EXPECT_THROW(static_cast<void>(allocator.allocate(static_cast<std::size_t>(-1) / 16)),
+                 std::bad_array_new_length);
 }
 
 }  // namespace

@@ -110,10 +110,10 @@ TEST(Delaunay2d, LocatesPointsOfEveryKind)
     EXPECT_EQ(delaunay.locate({-1.0, 0.0}).kind, Location2d::Kind::OutsideHull);
     const Location2d edge = delaunay.locate({2.0, 0.0});
     ASSERT_EQ(edge.kind, Location2d::Kind::OnEdge);
-    EXPECT_EQ(delaunay.mesh().position(delaunay.mesh().apex(edge.edge())), (Vec2{0.0, 4.0}));
+    EXPECT_EQ(delaunay.mesh().position(delaunay.mesh().apex(edge.edge)), (Vec2{0.0, 4.0}));
     const Location2d corner = delaunay.locate({0.0, 0.0});
     ASSERT_EQ(corner.kind, Location2d::Kind::OnVertex);
-    EXPECT_EQ(delaunay.mesh().triangle(corner.triangle).v[corner.index], origin);
+    EXPECT_EQ(delaunay.mesh().triangle(corner.triangle()).v[corner.index()], origin);
 }
 
 TEST(Delaunay2d, LocatesEveryVertexFromAnywhere)
@@ -124,7 +124,7 @@ TEST(Delaunay2d, LocatesEveryVertexFromAnywhere)
         const TriangleId hint(i * 7919u % static_cast<std::uint32_t>(mesh.triangleSlots()));
         const Location2d location = delaunay.locate(mesh.position(VertexId(i)), hint);
         ASSERT_EQ(location.kind, Location2d::Kind::OnVertex);
-        ASSERT_EQ(mesh.triangle(location.triangle).v[location.index], VertexId(i));
+        ASSERT_EQ(mesh.triangle(location.triangle()).v[location.index()], VertexId(i));
     }
 }
 
@@ -179,13 +179,13 @@ TEST(Delaunay2d, TreatsRegionsAsPropertiesOfTriangles)
     ASSERT_TRUE(delaunay.insert({2.0, 3.0}).hasValue());
     ASSERT_TRUE(delaunay.insert({2.0, -3.0}).hasValue());
     ASSERT_TRUE(delaunay.recoverSegment(a, b).hasValue());
-    delaunay.setRegion(delaunay.locate({2.0, 1.0}).triangle, RegionId(1));
-    delaunay.setRegion(delaunay.locate({2.0, -1.0}).triangle, RegionId(2));
+    delaunay.setRegion(delaunay.locate({2.0, 1.0}).triangle(), RegionId(1));
+    delaunay.setRegion(delaunay.locate({2.0, -1.0}).triangle(), RegionId(2));
     ASSERT_TRUE(delaunay.insert({1.0, 0.0}).hasValue());
     ASSERT_TRUE(delaunay.insert({2.0, 1.0}).hasValue());
     ASSERT_TRUE(delaunay.insert({2.0, -9.0}).hasValue());
     const Triangulation2d& mesh = delaunay.mesh();
-    const auto regionAt = [&](Vec2 p) { return mesh.triangle(delaunay.locate(p).triangle).region; };
+    const auto regionAt = [&](Vec2 p) { return mesh.triangle(delaunay.locate(p).triangle()).region; };
     EXPECT_EQ(regionAt({0.5, 0.1}), RegionId(1));
     EXPECT_EQ(regionAt({2.5, 0.1}), RegionId(1));
     EXPECT_EQ(regionAt({0.5, -0.1}), RegionId(2));
@@ -261,9 +261,9 @@ TEST(Delaunay2d, ChangesTheGenerationOfChangedSlots)
 {
     Delaunay2d delaunay = insertedInBulk(uniformPoints2d(50, 9));
     const Location2d location = delaunay.locate({0.5, 0.5});
-    const auto generation = delaunay.mesh().triangle(location.triangle).generation;
+    const auto generation = delaunay.mesh().triangle(location.triangle()).generation;
     ASSERT_TRUE(delaunay.insert({0.5, 0.5}).hasValue());
-    EXPECT_NE(delaunay.mesh().triangle(location.triangle).generation, generation);
+    EXPECT_NE(delaunay.mesh().triangle(location.triangle()).generation, generation);
 }
 
 TEST(Delaunay2d, UsesAHundredBytesAVertex)

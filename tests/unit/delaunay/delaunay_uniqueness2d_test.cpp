@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace mesher::test {
 namespace {
@@ -55,6 +56,32 @@ TEST_P(DelaunayUniqueness2d, KeepsItsTrianglesWhenScaledByAPowerOfTwo)
     for (Vec2& p : points) p = 0x1p-30 * p;
     const Delaunay2d scaled = insertedOneByOne(points);
     EXPECT_EQ(edgesOf(plain.mesh()), edgesOf(scaled.mesh()));
+}
+
+/// The same on every platform and in every build type. The families that call the mathematical library, whose rounding
+/// differs, are not among them.
+TEST(MeshHash2d, IsTheSameEverywhere)
+{
+    const std::pair<const char*, std::uint64_t> expected[] = {
+        {"uniform", 0x9091B890AFFF2F4Bu},
+        {"grid", 0x6B8C4312A8BB7701u},
+        {"cocircular", 0x9BC9E428A975BB3Du},
+        {"collinear", 0x1128BC04AFAB45ECu},
+        {"nearly_collinear", 0x9DACF21D6DA333B9u},
+        {"duplicated", 0xC16B34742ABE54CFu},
+        {"ulp", 0xC7EBF3C72A72C771u},
+        {"huge", 0x28288048785776F8u},
+        {"tiny", 0xDF2704B7A73488FCu},
+        {"far_offset_grid", 0x186E20F3698F18DEu},
+        {"equal", 0xD2A8BC277637796Cu},
+    };
+    for (const auto& [name, hash] : expected) {
+        for (const PointFamily<Vec2>& family : pointFamilies2d()) {
+            if (family.name != name) continue;
+            EXPECT_EQ(hashOf(insertedInBulk(family.make(2000, 42))), hash) << name;
+            EXPECT_EQ(hashOf(insertedOneByOne(family.make(2000, 42))), hash) << name;
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, DelaunayUniqueness2d, testing::ValuesIn(pointFamilies2d()),

@@ -53,8 +53,8 @@ TEST(SegmentRecovery2d, PassesThroughTheVerticesOnTheSegment)
     Delaunay2d delaunay = insertedInBulk(gridPoints2d(400));
     const Location2d first = delaunay.locate({0.0, 0.0});
     const Location2d last = delaunay.locate({18.0, 6.0});
-    const VertexId a = delaunay.mesh().triangle(first.triangle).v[first.index];
-    const VertexId b = delaunay.mesh().triangle(last.triangle).v[last.index];
+    const VertexId a = delaunay.mesh().triangle(first.triangle()).v[first.index()];
+    const VertexId b = delaunay.mesh().triangle(last.triangle()).v[last.index()];
     ASSERT_TRUE(delaunay.recoverSegment(a, b).hasValue());
     const std::vector<VertexId>& chain = delaunay.lastSegment();
     ASSERT_EQ(chain.size(), 7u);

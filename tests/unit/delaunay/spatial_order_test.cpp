@@ -92,7 +92,8 @@ TYPED_TEST(SpatialOrder, SeparatesTightClustersFarBelowTheCoarseCells)
     std::vector<std::uint32_t> identity(points.size());
     std::iota(identity.begin(), identity.end(), 0u);
     const double random = pathLength(points, identity);
-    EXPECT_LT(pathLength(points, hilbertOrder(std::span<const TypeParam>(points))) - 1.5e3, 0.4 * (random - 1.4e3));
+    EXPECT_LT(pathLength(points, hilbertOrder(std::span<const TypeParam>(points))) - 1.5e3,
+              0.4 * (random - 1.4e3));
 }
 
 TYPED_TEST(SpatialOrder, ToleratesExtremeCoordinates)
@@ -124,7 +125,8 @@ TEST(HilbertOrder, VisitsTheCellsOfACubeGridSideBySide)
     std::vector<Vec3> points;
     for (int z = 0; z < 16; ++z) {
         for (int y = 0; y < 16; ++y) {
-            for (int x = 0; x < 16; ++x) points.push_back({(x + 0.5) / 16.0, (y + 0.5) / 16.0, (z + 0.5) / 16.0});
+            for (int x = 0; x < 16; ++x)
+                points.push_back({(x + 0.5) / 16.0, (y + 0.5) / 16.0, (z + 0.5) / 16.0});
         }
     }
     points.push_back({0.0, 0.0, 0.0});

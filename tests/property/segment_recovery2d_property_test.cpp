@@ -1,4 +1,4 @@
-#include "property/delaunay/noncrossing_segments.h"
+#include "property/noncrossing_segments.h"
 #include "support/degenerate_points.h"
 #include "unit/delaunay/delaunay2d_test_support.h"
 

@@ -1,4 +1,4 @@
-#include "property/delaunay/noncrossing_segments.h"
+#include "property/noncrossing_segments.h"
 
 #include "base/random.h"
 #include "predicates/orient2d.h"
