@@ -161,8 +161,8 @@ private:
             return queueSubcurve(t_.subcurveOf(walk.blocker)) ? Attempt::Deferred : Attempt::Impossible;
         }
         if (walk.location.kind == Location2d::Kind::OnVertex) return Attempt::Impossible;
-        if (walk.location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(walk.location.edge())) {
-            return queueSubcurve(t_.subcurveOf(walk.location.edge())) ? Attempt::Deferred : Attempt::Impossible;
+        if (walk.location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(walk.location.edge)) {
+            return queueSubcurve(t_.subcurveOf(walk.location.edge)) ? Attempt::Deferred : Attempt::Impossible;
         }
         t_.delaunay.findCavity(centre, walk.location, cavity_, StarCheck::Trust);
         if (const Attempt outcome = queueEncroached(centre); outcome != Attempt::Inserted) return outcome;

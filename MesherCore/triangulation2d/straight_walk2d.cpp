@@ -38,8 +38,7 @@ StraightWalk2d walkStraight(const Triangulation2d& mesh, const StaticFilter2d& f
             result.location.kind = zeros == 0   ? Location2d::Kind::InTriangle
                                    : zeros == 1 ? Location2d::Kind::OnEdge
                                                 : Location2d::Kind::OnVertex;
-            result.location.triangle = t;
-            result.location.index = zero;
+            result.location.edge = EdgeLink(t, zero);
             return result;
         }
         unsigned exit = beyond[0];

@@ -160,7 +160,7 @@ VertexId SubcurveSplitter2d::insertPoint(Vec2 point, TriangleId hint)
 {
     const Location2d location = t_.delaunay.locate(point, hint);
     if (location.kind == Location2d::Kind::OnVertex) return {};
-    if (location.kind == Location2d::Kind::OnEdge && t_.mesh().isConstrained(location.edge())) return {};
+    if (location.kind == Location2d::Kind::OnEdge && t_.mesh().isConstrained(location.edge)) return {};
     t_.delaunay.findCavity(point, location, cavity_);
     if (cavity_.triangles.size() == 1) ++counters_.outsideCircles;
     return t_.delaunay.commit(cavity_);

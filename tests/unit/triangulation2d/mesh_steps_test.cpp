@@ -129,7 +129,7 @@ TEST(StraightWalk, findsWhatItSeesAndStopsAtConstraints)
         ++found;
         const Location2d expected = result->triangulation.delaunay.locate(target);
         EXPECT_EQ(walk.location.kind, expected.kind);
-        EXPECT_EQ(walk.location.triangle, expected.triangle);
+        EXPECT_EQ(walk.location.triangle(), expected.triangle());
     }
     EXPECT_GT(found, 20);
     EXPECT_GT(blocked, 20);

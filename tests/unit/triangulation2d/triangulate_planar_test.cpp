@@ -112,7 +112,7 @@ TEST(TriangulatePlanar, findsASmallPlaceInTheMiddle)
     options.refinement.sizing.field = &size;
     const PlanarResult result = meshOf(test::unitSquare(), options);
     const Triangulation2d& mesh = result.triangulation.mesh();
-    const TriangleId t = result.triangulation.delaunay.locate({0.37, 0.61}).triangle;
+    const TriangleId t = result.triangulation.delaunay.locate({0.37, 0.61}).triangle();
     const Triangle2d& record = mesh.triangle(t);
     EXPECT_LT(length(mesh.position(record.v[0]) - mesh.position(record.v[1])), 0.003);
     EXPECT_LT(result.counts.triangles, 5000u);
