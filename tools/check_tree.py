@@ -21,6 +21,7 @@ LINE_RULES = [
     (re.compile(r"^([<]{7}|[>]{7})( |$)"), "is left from a merge conflict"),
 ]
 VERBATIM_FILES = {"LICENSE"}
+VERBATIM_SUFFIXES = {".brep", ".step"}  # models as the CAD kernel writes them
 
 
 def names_to_check(root):
@@ -39,7 +40,7 @@ def check_file(root, name):
     content = path.read_bytes()
     if len(content) > LARGEST_FILE:
         return [f"{name}: is larger than {LARGEST_FILE} bytes"]
-    if name in VERBATIM_FILES or b"\0" in content:
+    if name in VERBATIM_FILES or path.suffix in VERBATIM_SUFFIXES or b"\0" in content:
         return []
     findings = []
     if content and not content.endswith(b"\n"):
