@@ -253,7 +253,10 @@ private:
             const bool spans = (side.first.y > p.y) != (side.second.y > p.y);
             if (!spans) continue;
             const double share = (p.y - side.first.y) / (side.second.y - side.first.y);
-            if (side.first.x + share * (side.second.x - side.first.x) > p.x) isInside = !isInside;
+            const double crossing = side.first.x + share * (side.second.x - side.first.x);
+            const Vec3 beside = face.surface->position({face.boundsU.at(crossing), uv.y});
+            if (length(beside - position) < tolerance) return {};
+            if (crossing > p.x) isInside = !isInside;
         }
         return isInside;
     }
