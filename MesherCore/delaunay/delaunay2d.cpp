@@ -104,8 +104,7 @@ Location2d Delaunay2d::locate(Vec2 point, TriangleId hint) const
     return mesher::locate(mesh_, filterFor(point), point, startFor(hint));
 }
 
-void Delaunay2d::findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity,
-                            StarCheck check) const
+void Delaunay2d::findCavity(Vec2 point, const Location2d& location, Cavity2d& cavity, StarCheck check) const
 {
     mesher::findCavity(mesh_, filterFor(point), withoutNegativeZeros(point), location, check, cavity);
     cavity.revision = revision_;

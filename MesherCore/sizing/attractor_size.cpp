@@ -14,7 +14,8 @@ double component(const Vec3& v, int axis) { return axis == 0 ? v.x : (axis == 1 
 
 double distanceToBox(const Vec3& p, const Box3& box)
 {
-    return length(Vec3{std::max({box.low.x - p.x, 0.0, p.x - box.high.x}), std::max({box.low.y - p.y, 0.0, p.y - box.high.y}),
+    return length(Vec3{std::max({box.low.x - p.x, 0.0, p.x - box.high.x}),
+                       std::max({box.low.y - p.y, 0.0, p.y - box.high.y}),
                        std::max({box.low.z - p.z, 0.0, p.z - box.high.z})});
 }
 

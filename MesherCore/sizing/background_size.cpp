@@ -34,7 +34,8 @@ struct Closest
     }
 };
 
-void considerSegment(const Vec3& p, const Vec3& a, const Vec3& b, double sizeA, double sizeB, Closest& closest)
+void considerSegment(const Vec3& p, const Vec3& a, const Vec3& b, double sizeA, double sizeB,
+                     Closest& closest)
 {
     const Vec3 edge = b - a;
     const double square = squaredLength(edge);
@@ -42,7 +43,8 @@ void considerSegment(const Vec3& p, const Vec3& a, const Vec3& b, double sizeA, 
     closest.consider(squaredLength(p - (a + along * edge)), (1.0 - along) * sizeA + along * sizeB);
 }
 
-void considerTriangle(const Vec3& p, const std::array<Vec3, 3>& c, const std::array<double, 3>& sizes, Closest& closest)
+void considerTriangle(const Vec3& p, const std::array<Vec3, 3>& c, const std::array<double, 3>& sizes,
+                      Closest& closest)
 {
     const Vec3 normal = cross(c[1] - c[0], c[2] - c[0]);
     const double square = squaredLength(normal);
@@ -52,7 +54,8 @@ void considerTriangle(const Vec3& p, const std::array<Vec3, 3>& c, const std::ar
     }
     if (square > 0.0 && weights[0] >= 0.0 && weights[1] >= 0.0 && weights[2] >= 0.0) {
         const double height = dot(p - c[0], normal);
-        closest.consider(height * height / square, weights[0] * sizes[0] + weights[1] * sizes[1] + weights[2] * sizes[2]);
+        closest.consider(height * height / square,
+                         weights[0] * sizes[0] + weights[1] * sizes[1] + weights[2] * sizes[2]);
         return;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -60,7 +63,8 @@ void considerTriangle(const Vec3& p, const std::array<Vec3, 3>& c, const std::ar
     }
 }
 
-void considerTet(const Vec3& p, const std::array<Vec3, 4>& c, const std::array<double, 4>& sizes, Closest& closest)
+void considerTet(const Vec3& p, const std::array<Vec3, 4>& c, const std::array<double, 4>& sizes,
+                 Closest& closest)
 {
     const double volume = dot(cross(c[1] - c[0], c[2] - c[0]), c[3] - c[0]);
     bool isInside = volume != 0.0;
@@ -68,7 +72,8 @@ void considerTet(const Vec3& p, const std::array<Vec3, 4>& c, const std::array<d
     for (std::size_t i = 0; i < 4; ++i) {
         std::array<Vec3, 4> moved = c;
         moved[i] = p;
-        const double weight = dot(cross(moved[1] - moved[0], moved[2] - moved[0]), moved[3] - moved[0]) / volume;
+        const double weight =
+            dot(cross(moved[1] - moved[0], moved[2] - moved[0]), moved[3] - moved[0]) / volume;
         isInside = isInside && weight >= 0.0;
         value += weight * sizes[i];
     }
@@ -142,16 +147,19 @@ struct BackgroundSize::Tree
 
 BackgroundSize::BackgroundSize(BackgroundMesh mesh, std::unique_ptr<Tree> tree)
     : mesh_(std::move(mesh)), tree_(std::move(tree))
-{}
+{
+}
 
 BackgroundSize::~BackgroundSize() = default;
 
 Result<std::shared_ptr<const BackgroundSize>> BackgroundSize::make(BackgroundMesh mesh)
 {
-    if (mesh.sizes.size() != mesh.nodes.size()) return backgroundError("background mesh", "it needs one size per node");
+    if (mesh.sizes.size() != mesh.nodes.size())
+        return backgroundError("background mesh", "it needs one size per node");
     for (std::size_t i = 0; i < mesh.sizes.size(); ++i) {
         if (mesh.sizes[i] > 0.0 && std::isfinite(mesh.sizes[i]) && isFinite(mesh.nodes[i])) continue;
-        return backgroundError("background node " + std::to_string(i), "its size or place is not a positive, finite number");
+        return backgroundError("background node " + std::to_string(i),
+                               "its size or place is not a positive, finite number");
     }
     auto tree = std::make_unique<Tree>();
     bool areIndicesValid = true;
@@ -168,7 +176,8 @@ Result<std::shared_ptr<const BackgroundSize>> BackgroundSize::make(BackgroundMes
     };
     for (const auto& triangle : mesh.triangles) add(triangle);
     for (const auto& tet : mesh.tets) add(tet);
-    if (!areIndicesValid) return backgroundError("background mesh", "an element has a node that does not exist");
+    if (!areIndicesValid)
+        return backgroundError("background mesh", "an element has a node that does not exist");
     if (tree->items.empty()) return backgroundError("background mesh", "it has no elements");
     tree->build(0, static_cast<std::uint32_t>(tree->items.size()));
     return std::shared_ptr<const BackgroundSize>(new BackgroundSize(std::move(mesh), std::move(tree)));
@@ -195,10 +204,10 @@ double BackgroundSize::sizeAt(const Vec3& point) const
             if (element < mesh_.triangles.size()) {
                 const auto& e = mesh_.triangles[element];
                 considerTriangle(point, {n[e[0]], n[e[1]], n[e[2]]}, {s[e[0]], s[e[1]], s[e[2]]}, closest);
-            }
-            else {
+            } else {
                 const auto& e = mesh_.tets[element - mesh_.triangles.size()];
-                considerTet(point, {n[e[0]], n[e[1]], n[e[2]], n[e[3]]}, {s[e[0]], s[e[1]], s[e[2]], s[e[3]]}, closest);
+                considerTet(point, {n[e[0]], n[e[1]], n[e[2]], n[e[3]]}, {s[e[0]], s[e[1]], s[e[2]], s[e[3]]},
+                            closest);
             }
         }
     }

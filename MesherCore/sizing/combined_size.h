@@ -16,7 +16,8 @@ public:
     explicit CombinedSize(std::vector<std::shared_ptr<const SizingField>> fields, double floor = 0.0,
                           double cap = kNoSize)
         : fields_(std::move(fields)), floor_(floor), cap_(cap)
-    {}
+    {
+    }
     [[nodiscard]] double sizeAt(const Vec3& point) const override;
     [[nodiscard]] double smallestNear(const Vec3& centre, double radius) const override;
 

@@ -62,7 +62,8 @@ private:
 
     void skipBlanks()
     {
-        while (place_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[place_])) != 0) ++place_;
+        while (place_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[place_])) != 0)
+            ++place_;
     }
     bool take(char wanted)
     {
@@ -80,12 +81,10 @@ private:
             if (take('+')) {
                 product();
                 emit(Operation::Add);
-            }
-            else if (take('-')) {
+            } else if (take('-')) {
                 product();
                 emit(Operation::Subtract);
-            }
-            else {
+            } else {
                 return;
             }
         }
@@ -98,12 +97,10 @@ private:
             if (take('*')) {
                 signedFactor();
                 emit(Operation::Multiply);
-            }
-            else if (take('/')) {
+            } else if (take('/')) {
                 signedFactor();
                 emit(Operation::Divide);
-            }
-            else {
+            } else {
                 return;
             }
         }
@@ -116,8 +113,7 @@ private:
         if (take('-')) {
             signedFactor();
             emit(Operation::Negate);
-        }
-        else {
+        } else {
             power();
         }
         --depth_;
@@ -159,7 +155,8 @@ private:
     void name()
     {
         const std::size_t begin = place_;
-        while (place_ < text_.size() && std::isalnum(static_cast<unsigned char>(text_[place_])) != 0) ++place_;
+        while (place_ < text_.size() && std::isalnum(static_cast<unsigned char>(text_[place_])) != 0)
+            ++place_;
         const std::string_view word = text_.substr(begin, place_ - begin);
         if (word == "x") return emit(Operation::X);
         if (word == "y") return emit(Operation::Y);
@@ -246,8 +243,7 @@ double FormulaSize::sizeAt(const Vec3& point) const
                 if (isBinary(step.operation)) {
                     --top;
                     stack[top - 1] = applyBinary(step.operation, stack[top - 1], stack[top]);
-                }
-                else {
+                } else {
                     stack[top - 1] = applyUnary(step.operation, stack[top - 1]);
                 }
         }

@@ -23,9 +23,25 @@ public:
 
     enum class Operation : unsigned char
     {
-        Number, X, Y, Z,
-        Add, Subtract, Multiply, Divide, Power, Negate,
-        Sqrt, Abs, Exp, Log, Sin, Cos, Tan, Min, Max
+        Number,
+        X,
+        Y,
+        Z,
+        Add,
+        Subtract,
+        Multiply,
+        Divide,
+        Power,
+        Negate,
+        Sqrt,
+        Abs,
+        Exp,
+        Log,
+        Sin,
+        Cos,
+        Tan,
+        Min,
+        Max
     };
     /// A program for a stack machine.
     struct Step

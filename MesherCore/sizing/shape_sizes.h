@@ -38,7 +38,8 @@ class BallSize final : public SizingField
 public:
     BallSize(const Vec3& centre, double radius, const DistanceProfile& profile)
         : centre_(centre), radius_(radius), profile_(profile)
-    {}
+    {
+    }
     [[nodiscard]] double sizeAt(const Vec3& point) const override { return smallestNear(point, 0.0); }
     [[nodiscard]] double smallestNear(const Vec3& centre, double radius) const override;
 

@@ -5,14 +5,16 @@
 namespace mesher {
 namespace {
 
-std::optional<SplitPlace> placeAt(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s, double t)
+std::optional<SplitPlace> placeAt(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s,
+                                  double t)
 {
     const Subcurve& subcurve = boundary.subcurves[s];
     if (!(subcurve.part.first < t && t < subcurve.part.last)) return std::nullopt;
     SplitPlace result;
     result.parameter = t;
     result.place = domain.place(subcurve.curve, t);
-    if (result.place.position == boundary.from(s) || result.place.position == boundary.to(s)) return std::nullopt;
+    if (result.place.position == boundary.from(s) || result.place.position == boundary.to(s))
+        return std::nullopt;
     return result;
 }
 
@@ -29,7 +31,8 @@ BoundaryVertexId Boundary::addPoint(const PlanarDomain& domain, PccPointId point
     return vertices.push_back(vertex);
 }
 
-BoundaryVertexId Boundary::addSample(const PlanarPlace& place, PccCurveId curve, double parameter, bool isCorner)
+BoundaryVertexId Boundary::addSample(const PlanarPlace& place, PccCurveId curve, double parameter,
+                                     bool isCorner)
 {
     BoundaryVertex vertex;
     vertex.position = place.position;
@@ -71,7 +74,8 @@ Boundary::Halves Boundary::split(SubcurveId s, const SplitPlace& place)
     return halves;
 }
 
-std::optional<SplitPlace> equalVariationPlace(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s)
+std::optional<SplitPlace> equalVariationPlace(const PlanarDomain& domain, const Boundary& boundary,
+                                              SubcurveId s)
 {
     const Subcurve& subcurve = boundary.subcurves[s];
     if (boundary.edgeLength(s) < boundary.resolution) return std::nullopt;
@@ -84,8 +88,9 @@ std::optional<SplitPlace> shellPlace(const PlanarDomain& domain, const Boundary&
 {
     const Subcurve& subcurve = boundary.subcurves[s];
     if (boundary.edgeLength(s) < boundary.resolution) return std::nullopt;
-    const DistanceCrossing crossing = domain.variation(subcurve.curve)
-                                          .parameterAtDistance(apex, radius / domain.scale(), subcurve.part, nearEnd);
+    const DistanceCrossing crossing =
+        domain.variation(subcurve.curve)
+            .parameterAtDistance(apex, radius / domain.scale(), subcurve.part, nearEnd);
     if (!crossing.parameter || !crossing.isMonotone) return std::nullopt;
     auto result = placeAt(domain, boundary, s, *crossing.parameter);
     if (result) result->radius = radius;
@@ -105,9 +110,6 @@ std::optional<SplitPlace> splitPlace(const PlanarDomain& domain, const Boundary&
     return equalVariationPlace(domain, boundary, s);
 }
 
-int firstShellExponent(double shortestEdge)
-{
-    return std::ilogb(2.0 / 3.0 * shortestEdge);
-}
+int firstShellExponent(double shortestEdge) { return std::ilogb(2.0 / 3.0 * shortestEdge); }
 
 }  // namespace mesher

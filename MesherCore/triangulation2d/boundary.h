@@ -96,16 +96,18 @@ private:
 
 /// The ordinary place: both halves have the same total variation of the tangent (equal length where all is straight).
 /// Nothing if the subcurve is too short to be split.
-[[nodiscard]] std::optional<SplitPlace> equalVariationPlace(const PlanarDomain& domain, const Boundary& boundary,
-                                                            SubcurveId s);
+[[nodiscard]] std::optional<SplitPlace> equalVariationPlace(const PlanarDomain& domain,
+                                                            const Boundary& boundary, SubcurveId s);
 /// Where the subcurve meets the shell of that radius around the apex of a small angle, one of its ends or beyond it.
-[[nodiscard]] std::optional<SplitPlace> shellPlace(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s,
-                                                   CurveEnd nearEnd, const Vec3& apex, double radius);
+[[nodiscard]] std::optional<SplitPlace> shellPlace(const PlanarDomain& domain, const Boundary& boundary,
+                                                   SubcurveId s, CurveEnd nearEnd, const Vec3& apex,
+                                                   double radius);
 /// The place at which the subcurve is to be split: beside a small angle halfway between the shells of its ends, which at the
 /// apex is the next smaller power of two; else the ordinary one. Nothing if it is too short.
 /// Reference    thesis sections 2.4.2 and 2.5. Splitting between shells by distance from the apex, too, is our addition: the
 ///              curves of a small angle then have vertices at equal distances, as [miller2003] requires of segments
-[[nodiscard]] std::optional<SplitPlace> splitPlace(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s);
+[[nodiscard]] std::optional<SplitPlace> splitPlace(const PlanarDomain& domain, const Boundary& boundary,
+                                                   SubcurveId s);
 
 /// Largest power of two not above two thirds of a length: the first shell.
 [[nodiscard]] int firstShellExponent(double shortestEdge);

@@ -14,16 +14,21 @@ class Enrichment
 {
 public:
     Enrichment(const PlanarDomain& domain, Boundary& boundary, Budget& budget)
-        : domain_(domain), boundary_(boundary), budget_(budget), index_(boundary),
+        : domain_(domain),
+          boundary_(boundary),
+          budget_(budget),
+          index_(boundary),
           visibility_(domain, boundary, index_)
-    {}
+    {
+    }
 
     Result<BoundaryEnrichment2d> run()
     {
         for (;;) {
             // A split may open a line of sight that was blocked when its vertex had its turn: all get another one.
             const std::size_t splitsBefore = result_.splits;
-            for (std::uint32_t i = 0; i < boundary_.vertices.size(); ++i) queue_.push_back(BoundaryVertexId(i));
+            for (std::uint32_t i = 0; i < boundary_.vertices.size(); ++i)
+                queue_.push_back(BoundaryVertexId(i));
             ++result_.rounds;
             emptyQueue();
             if (error_) return *error_;

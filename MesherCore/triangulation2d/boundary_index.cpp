@@ -1,9 +1,9 @@
 #include "triangulation2d/boundary_index.h"
 
 #include <algorithm>
-#include <boost/geometry/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
 #include <utility>
@@ -31,7 +31,8 @@ std::vector<TreeValue> allValues(const Boundary& boundary)
 {
     std::vector<TreeValue> values;
     for (std::uint32_t i = 0; i < boundary.subcurves.size(); ++i) {
-        if (boundary.subcurves[SubcurveId(i)].isAlive) values.emplace_back(circleBox(boundary, SubcurveId(i)), i);
+        if (boundary.subcurves[SubcurveId(i)].isAlive)
+            values.emplace_back(circleBox(boundary, SubcurveId(i)), i);
     }
     return values;
 }
@@ -45,7 +46,8 @@ struct BoundaryIndex::Tree
 
 BoundaryIndex::BoundaryIndex(const Boundary& boundary)
     : tree_(new Tree{bg::index::rtree<TreeValue, bg::index::quadratic<16>>(allValues(boundary))})
-{}
+{
+}
 
 BoundaryIndex::~BoundaryIndex() = default;
 

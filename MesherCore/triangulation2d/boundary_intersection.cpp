@@ -35,7 +35,8 @@ bool doSegmentsMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
            isInside(c, d, b);
 }
 
-std::vector<std::pair<SubcurveId, SubcurveId>> findIntersections(const Boundary& boundary, const BoundaryIndex& index)
+std::vector<std::pair<SubcurveId, SubcurveId>> findIntersections(const Boundary& boundary,
+                                                                 const BoundaryIndex& index)
 {
     std::vector<std::pair<SubcurveId, SubcurveId>> result;
     std::vector<SubcurveId> near;
@@ -47,8 +48,8 @@ std::vector<std::pair<SubcurveId, SubcurveId>> findIntersections(const Boundary&
         box.include(boundary.to(s));
         index.query(box, near);
         for (const SubcurveId other : near) {
-            if (s < other && doSegmentsMeet(boundary.from(s), boundary.to(s), boundary.from(other),
-                                            boundary.to(other))) {
+            if (s < other &&
+                doSegmentsMeet(boundary.from(s), boundary.to(s), boundary.from(other), boundary.to(other))) {
                 result.emplace_back(s, other);
             }
         }

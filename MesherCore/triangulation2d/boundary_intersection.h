@@ -17,6 +17,6 @@ namespace mesher {
 /// Cost         O(n log n) where few circles overlap
 /// Reference    thesis section 2.4.5, Fig. 2.12
 [[nodiscard]] std::vector<std::pair<SubcurveId, SubcurveId>> findIntersections(const Boundary& boundary,
-                                                                              const BoundaryIndex& index);
+                                                                               const BoundaryIndex& index);
 
 }  // namespace mesher

@@ -13,7 +13,8 @@ class Construction
 public:
     Construction(const PlanarDomain& domain, RunContext& context, PlanarTriangulation& triangulation)
         : domain_(domain), context_(context), t_(triangulation)
-    {}
+    {
+    }
 
     Result<void> run()
     {
@@ -76,7 +77,8 @@ private:
             if (!t_.boundary.subcurves[s].isAlive) continue;
             const PccCurve& curve = domain_.curve(t_.boundary.subcurves[s].curve);
             const EdgeLink side = t_.mesh().findEdge(t_.firstVertex(s), t_.lastVertex(s));
-            if (!flood(side.triangle(), curve.left) || !flood(t_.mesh().across(side).triangle(), curve.right)) {
+            if (!flood(side.triangle(), curve.left) ||
+                !flood(t_.mesh().across(side).triangle(), curve.right)) {
                 return contradiction(t_.firstVertex(s));
             }
         }
@@ -106,7 +108,8 @@ private:
         Error error;
         error.code = ErrorCode::InvalidArgument;
         error.entity = "regions";
-        error.message = "the curves contradict each other about the region on their sides, or do not close it";
+        error.message =
+            "the curves contradict each other about the region on their sides, or do not close it";
         error.point = t_.boundary.vertices[t_.boundaryVertexOf(near)].space;
         error.remedy = "close the region's boundary and give it the same region on the inner side all along";
         return error;

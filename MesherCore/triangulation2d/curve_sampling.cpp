@@ -28,7 +28,8 @@ std::vector<SmoothSpan> smoothSpans(const TangentVariation& table, double maxVar
     double start = table.part().first;
     const auto add = [&](double end) {
         SmoothSpan span{{start, end}, table.variation(start, end), 1};
-        span.pieces = std::max(1, static_cast<int>(std::ceil(span.variation / maxVariation - kVariationSlack)));
+        span.pieces =
+            std::max(1, static_cast<int>(std::ceil(span.variation / maxVariation - kVariationSlack)));
         spans.push_back(span);
         start = end;
     };
@@ -43,9 +44,10 @@ void ensureThreePieces(std::vector<SmoothSpan>& spans)
     for (const SmoothSpan& span : spans) total += span.pieces;
     for (; total < 3; ++total) {
         // The span whose pieces turn most; the first of equal ones.
-        const auto worst = std::max_element(spans.begin(), spans.end(), [](const SmoothSpan& a, const SmoothSpan& b) {
-            return a.variation / a.pieces < b.variation / b.pieces;
-        });
+        const auto worst =
+            std::max_element(spans.begin(), spans.end(), [](const SmoothSpan& a, const SmoothSpan& b) {
+                return a.variation / a.pieces < b.variation / b.pieces;
+            });
         ++worst->pieces;
     }
 }

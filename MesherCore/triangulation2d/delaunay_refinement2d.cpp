@@ -19,12 +19,19 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 class Refiner
 {
 public:
-    Refiner(const PlanarDomain& domain, const RefinementOptions2d& options, RunContext& context, Budget& budget,
-            PlanarTriangulation& triangulation)
-        : domain_(domain), options_(options), context_(context), budget_(budget), t_(triangulation),
-          mesh_(triangulation.mesh()), splitter_(domain, triangulation),
-          criteria_(domain, options, triangulation), hasSizing_(options.sizing.isActive())
-    {}
+    Refiner(const PlanarDomain& domain, const RefinementOptions2d& options, RunContext& context,
+            Budget& budget, PlanarTriangulation& triangulation)
+        : domain_(domain),
+          options_(options),
+          context_(context),
+          budget_(budget),
+          t_(triangulation),
+          mesh_(triangulation.mesh()),
+          splitter_(domain, triangulation),
+          criteria_(domain, options, triangulation),
+          hasSizing_(options.sizing.isActive())
+    {
+    }
 
     Refinement2d run()
     {
@@ -56,7 +63,8 @@ private:
     {
         const RefinementVerdict2d verdict = criteria_.judge(t);
         if (verdict.need == RefinementNeed2d::Nothing) return;
-        (verdict.need == RefinementNeed2d::Size ? sizeQueue_ : qualityQueue_).push(t, mesh_.triangle(t).generation, verdict.key);
+        (verdict.need == RefinementNeed2d::Size ? sizeQueue_ : qualityQueue_)
+            .push(t, mesh_.triangle(t).generation, verdict.key);
     }
 
     bool queueAllTriangles()
@@ -149,8 +157,8 @@ private:
     Attempt attempt(TriangleId t)
     {
         const Triangle2d& record = mesh_.triangle(t);
-        const Vec2 centre =
-            circumcenter(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
+        const Vec2 centre = circumcenter(mesh_.position(record.v[0]), mesh_.position(record.v[1]),
+                                         mesh_.position(record.v[2]));
         if (!isInExactRange(centre)) return Attempt::Impossible;
         const StraightWalk2d walk = walkStraight(mesh_, t_.delaunay.filterFor(centre), t, centre);
         if (walk.outcome == StraightWalk2d::Outcome::Lost) {
@@ -188,8 +196,7 @@ private:
 
     void insert()
     {
-        const double scale =
-            hasSizing_ ? lengthScaleOfCavity(domain_, options_.sizing, mesh_, cavity_) : 0.0;
+        const double scale = hasSizing_ ? lengthScaleOfCavity(domain_, options_.sizing, mesh_, cavity_) : 0.0;
         const VertexId v = t_.delaunay.commit(cavity_);
         t_.delaunay.setOrigin(v, VertexOrigin::Face, 0);
         meshedTriangles_ += 2;
@@ -257,10 +264,10 @@ private:
         meshedTriangles_ += (curve.left.value != 0 ? 1u : 0u) + (curve.right.value != 0 ? 1u : 0u);
         meshedTriangles_ -= 2 * split.removedVertices;
         if (hasSizing_) {
-            const double ceiling = interpolatedLengthScale(
-                domain_, whole, t_.boundary.vertices[split.halves.vertex].parameter,
-                mesh_.lengthScale(t_.boundary.vertices[whole.first].vertex),
-                mesh_.lengthScale(t_.boundary.vertices[whole.last].vertex));
+            const double ceiling =
+                interpolatedLengthScale(domain_, whole, t_.boundary.vertices[split.halves.vertex].parameter,
+                                        mesh_.lengthScale(t_.boundary.vertices[whole.first].vertex),
+                                        mesh_.lengthScale(t_.boundary.vertices[whole.last].vertex));
             const double graded = gradedLengthScale(t_, options_.sizing, v);
             const double wanted = wantedSize(domain_, options_.sizing, mesh_.position(v));
             assignLengthScale(v, std::min({ceiling, graded, wanted}));
@@ -305,7 +312,8 @@ private:
         const EdgeLink left = mesh_.findEdge(t_.firstVertex(s), t_.lastVertex(s));
         for (const EdgeLink side : {left, mesh_.across(left)}) {
             if (!t_.isMeshed(side.triangle())) continue;
-            if (isInDiametralLens(t_.boundary.from(s), t_.boundary.to(s), mesh_.position(mesh_.apex(side)))) return true;
+            if (isInDiametralLens(t_.boundary.from(s), t_.boundary.to(s), mesh_.position(mesh_.apex(side))))
+                return true;
         }
         return false;
     }
@@ -330,7 +338,8 @@ private:
             left.triangle = t;
             left.smallAngle = criteria_.smallAngleSpannedBy(record, shape);
             const bool isBad = criteria_.hasSmallAngle(shape);
-            if (left.smallAngle.isValid() ? !isBad : criteria_.judge(t).need == RefinementNeed2d::Nothing) continue;
+            if (left.smallAngle.isValid() ? !isBad : criteria_.judge(t).need == RefinementNeed2d::Nothing)
+                continue;
             left.reason = left.smallAngle.isValid() ? LeftReason2d::SmallInputAngle
                           : isImpossible(t)         ? LeftReason2d::Resolution
                                                     : LeftReason2d::Unfinished;

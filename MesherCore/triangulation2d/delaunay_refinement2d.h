@@ -25,8 +25,8 @@ struct RefinementOptions2d
 enum class LeftReason2d
 {
     SmallInputAngle,  ///< its shortest edge spans a small angle of the input between two vertices of one shell
-    Resolution,       ///< the boundary beside it is too short to be split, or its circumcentre cannot be told apart
-    Unfinished        ///< the run stopped before
+    Resolution,  ///< the boundary beside it is too short to be split, or its circumcentre cannot be told apart
+    Unfinished   ///< the run stopped before
 };
 
 struct LeftTriangle2d
@@ -61,7 +61,7 @@ struct Refinement2d
 /// Terminates   see RefinementOptions2d::minAngle; always with a budget
 /// Cost         O(n log n) worst, linear in practice
 /// Reference    thesis sections 2.3, 2.4.4, 2.5, appendix A; [shewchuk2002] [chew1993] [ruppert1995] [miller2003]
-[[nodiscard]] Refinement2d refine(const PlanarDomain& domain, const RefinementOptions2d& options, RunContext& context,
-                                  Budget& budget, PlanarTriangulation& triangulation);
+[[nodiscard]] Refinement2d refine(const PlanarDomain& domain, const RefinementOptions2d& options,
+                                  RunContext& context, Budget& budget, PlanarTriangulation& triangulation);
 
 }  // namespace mesher

@@ -5,10 +5,7 @@
 namespace mesher {
 
 /// Strictly inside the circle whose diameter is the edge from a to b: the edge is seen under an obtuse angle.
-[[nodiscard]] inline bool isInDiametralCircle(Vec2 a, Vec2 b, Vec2 p)
-{
-    return dot(a - p, b - p) < 0.0;
-}
+[[nodiscard]] inline bool isInDiametralCircle(Vec2 a, Vec2 b, Vec2 p) { return dot(a - p, b - p) < 0.0; }
 
 /// Inside the diametral lens: the edge is seen under more than 120 degrees.
 /// Reference    thesis Fig. 2.3; [shewchuk2002]

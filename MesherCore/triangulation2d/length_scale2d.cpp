@@ -10,7 +10,8 @@ namespace mesher {
 namespace {
 
 /// Distance from a vertex to the subcurve of the edge opposite of it.
-double distanceToSubcurve(const PlanarDomain& domain, const PlanarTriangulation& triangulation, SubcurveId s, VertexId v)
+double distanceToSubcurve(const PlanarDomain& domain, const PlanarTriangulation& triangulation, SubcurveId s,
+                          VertexId v)
 {
     const Subcurve& subcurve = triangulation.boundary.subcurves[s];
     const Vec2 p = triangulation.mesh().position(v);
@@ -19,8 +20,9 @@ double distanceToSubcurve(const PlanarDomain& domain, const PlanarTriangulation&
     const double along = std::clamp(dot(p - a, edge) / squaredLength(edge), 0.0, 1.0);
     const double toEdge = length(p - (a + along * edge));
     if (domain.curve(subcurve.curve).curve->kind() == CurveKind::Line) return toEdge;
-    const CurveProjection foot = domain.curve(subcurve.curve).curve->project(
-        domain.toSpace(p), subcurve.part, subcurve.part.at(along));
+    const CurveProjection foot =
+        domain.curve(subcurve.curve)
+            .curve->project(domain.toSpace(p), subcurve.part, subcurve.part.at(along));
     // The projection is a local minimum: with a bad seed the edge tells more.
     return std::min(foot.distance * domain.scale(), toEdge);
 }
@@ -51,14 +53,16 @@ double wantedSize(const PlanarDomain& domain, const PlanarSizing& sizing, Vec2 p
     return domain.scale() * sizing.field->sizeAt(domain.toSpace(position));
 }
 
-void setLengthScales(const PlanarDomain& domain, const PlanarSizing& sizing, PlanarTriangulation& triangulation)
+void setLengthScales(const PlanarDomain& domain, const PlanarSizing& sizing,
+                     PlanarTriangulation& triangulation)
 {
     const Triangulation2d& mesh = triangulation.mesh();
     std::vector<double> sizes(mesh.vertexSlots(), std::numeric_limits<double>::infinity());
     for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {
         const VertexId v(i);
         if (!mesh.isAlive(v)) continue;
-        if (sizing.usesLocalFeatureSize) sizes[i] = localFeatureSize(domain, triangulation, v) / sizing.refinement;
+        if (sizing.usesLocalFeatureSize)
+            sizes[i] = localFeatureSize(domain, triangulation, v) / sizing.refinement;
         sizes[i] = std::min(sizes[i], wantedSize(domain, sizing, mesh.position(v)));
     }
     std::vector<GradationGraph::Edge> edges;
@@ -80,8 +84,8 @@ void setLengthScales(const PlanarDomain& domain, const PlanarSizing& sizing, Pla
     }
 }
 
-double lengthScaleOfCavity(const PlanarDomain& domain, const PlanarSizing& sizing, const Triangulation2d& mesh,
-                           const Cavity2d& cavity)
+double lengthScaleOfCavity(const PlanarDomain& domain, const PlanarSizing& sizing,
+                           const Triangulation2d& mesh, const Cavity2d& cavity)
 {
     const double perDistance = 1.0 / sizing.grading;
     double scale = std::numeric_limits<double>::infinity();

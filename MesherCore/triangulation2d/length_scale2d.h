@@ -23,7 +23,8 @@ struct PlanarSizing
 /// Local feature size at a boundary vertex of the initial triangulation: the shortest edge at it, or the distance to a
 /// subcurve opposite of it. Only meshed triangles count; infinite if there are none.
 /// Reference    thesis Definition 2.2 and section 2.4.3
-[[nodiscard]] double localFeatureSize(const PlanarDomain& domain, const PlanarTriangulation& triangulation, VertexId v);
+[[nodiscard]] double localFeatureSize(const PlanarDomain& domain, const PlanarTriangulation& triangulation,
+                                      VertexId v);
 
 /// The user's wish at a place, in units of the triangulation; infinite without a field.
 [[nodiscard]] double wantedSize(const PlanarDomain& domain, const PlanarSizing& sizing, Vec2 position);
@@ -32,14 +33,16 @@ struct PlanarSizing
 /// Guarantees   independent of the order of the vertices
 /// Cost         one Dijkstra search
 /// Reference    thesis Equations 2.1 and 2.2
-void setLengthScales(const PlanarDomain& domain, const PlanarSizing& sizing, PlanarTriangulation& triangulation);
+void setLengthScales(const PlanarDomain& domain, const PlanarSizing& sizing,
+                     PlanarTriangulation& triangulation);
 
 /// Length scale of a vertex about to be inserted inside of a region: Equation 2.1 over the neighbours it will have, or the
 /// user's wish if that is smaller.
 [[nodiscard]] double lengthScaleOfCavity(const PlanarDomain& domain, const PlanarSizing& sizing,
                                          const Triangulation2d& mesh, const Cavity2d& cavity);
 /// Equation 2.1 at a vertex of the mesh, over its neighbours in regions.
-[[nodiscard]] double gradedLengthScale(const PlanarTriangulation& triangulation, const PlanarSizing& sizing, VertexId v);
+[[nodiscard]] double gradedLengthScale(const PlanarTriangulation& triangulation, const PlanarSizing& sizing,
+                                       VertexId v);
 /// The ceiling at a split: between the length scales of the subcurve's ends, by arc length. Thesis section 2.4.3.
 [[nodiscard]] double interpolatedLengthScale(const PlanarDomain& domain, const Subcurve& whole, double t,
                                              double firstScale, double lastScale);

@@ -26,7 +26,8 @@ class Checker
 public:
     Checker(const PlanarCurveComplex& complex, const PlanarResult& result, const PlanarOptions& options)
         : complex_(complex), result_(result), options_(options), t_(result.triangulation), mesh_(t_.mesh())
-    {}
+    {
+    }
 
     PlanarCheck run()
     {
@@ -105,7 +106,8 @@ private:
         if (vertex.point.isValid()) return;
         const CurveProjection foot = curve.curve->project(vertex.space, curve.part, vertex.parameter);
         check_.largestCurveDistance = std::max(check_.largestCurveDistance, foot.distance);
-        const double inPlane = length((1.0 / t_.scale) * vertex.position - complex_.frame.toPlane(vertex.space));
+        const double inPlane =
+            length((1.0 / t_.scale) * vertex.position - complex_.frame.toPlane(vertex.space));
         if (foot.distance > 1e-12 * size() || inPlane > 1e-14 * (size() + length(box_.low))) {
             add(name + ": a vertex is off the curve");
         }
@@ -129,7 +131,8 @@ private:
             constexpr int kPieces = 8;
             const Interval part{stations[i - 1], stations[i]};
             for (int k = 0; k < kPieces; ++k) {
-                bulge += gauss(curve, {part.at(k / double{kPieces}), part.at((k + 1) / double{kPieces})}, start);
+                bulge +=
+                    gauss(curve, {part.at(k / double{kPieces}), part.at((k + 1) / double{kPieces})}, start);
             }
         }
         addArea(curve.left, bulge, start, end, 1.0);
@@ -213,12 +216,14 @@ private:
                 add("a triangle has a region without a name");
                 continue;
             }
-            const Vec2 p[3] = {mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2])};
+            const Vec2 p[3] = {mesh_.position(record.v[0]), mesh_.position(record.v[1]),
+                               mesh_.position(record.v[2])};
             RegionStatistics& region = check_.regions[record.region.value - 1];
             ++region.triangles;
             region.area += 0.5 * cross(p[1] - p[0], p[2] - p[0]) / (t_.scale * t_.scale);
             const bool spans = spansSmallAngle(record, p);
-            for (unsigned k = 0; k < 3; ++k) countAngle(angleAt(p[k], p[nextCorner(k)], p[previousCorner(k)]), spans);
+            for (unsigned k = 0; k < 3; ++k)
+                countAngle(angleAt(p[k], p[nextCorner(k)], p[previousCorner(k)]), spans);
         }
     }
 
@@ -269,13 +274,16 @@ private:
         if (!options_.isRefined || result_.stopReason != StopReason::Done) return;
         const double bound = options_.refinement.minAngle;
         if (check_.angles.smallestElsewhere < bound - kAngleSlack) {
-            add("an angle of " + std::to_string(check_.angles.smallestElsewhere) + " degrees spans no small input angle");
+            add("an angle of " + std::to_string(check_.angles.smallestElsewhere) +
+                " degrees spans no small input angle");
         }
         if (bound > 0.0 && check_.angles.largestElsewhere > 180.0 - 2.0 * bound + kAngleSlack) {
-            add("an angle of " + std::to_string(check_.angles.largestElsewhere) + " degrees spans no small input angle");
+            add("an angle of " + std::to_string(check_.angles.largestElsewhere) +
+                " degrees spans no small input angle");
         }
         for (const LeftTriangle2d& left : result_.refinement.left) {
-            if (left.reason != LeftReason2d::SmallInputAngle) add("a triangle was left that spans no small input angle");
+            if (left.reason != LeftReason2d::SmallInputAngle)
+                add("a triangle was left that spans no small input angle");
         }
     }
 
@@ -285,9 +293,11 @@ private:
         for (const RegionStatistics& region : check_.regions) total += std::abs(region.curveArea);
         for (std::size_t i = 0; i < check_.regions.size(); ++i) {
             const RegionStatistics& region = check_.regions[i];
-            if (std::abs(region.area + region.segmentArea - region.curveArea) > 1e-9 * total + 1e-13 * size() * size()) {
-                add("region " + std::to_string(i + 1) + " has area " + std::to_string(region.area + region.segmentArea) +
-                    " instead of " + std::to_string(region.curveArea));
+            if (std::abs(region.area + region.segmentArea - region.curveArea) >
+                1e-9 * total + 1e-13 * size() * size()) {
+                add("region " + std::to_string(i + 1) + " has area " +
+                    std::to_string(region.area + region.segmentArea) + " instead of " +
+                    std::to_string(region.curveArea));
             }
         }
     }
@@ -309,7 +319,8 @@ private:
             }
         }
         for (std::size_t i = 0; i < check_.regions.size(); ++i) {
-            check_.regions[i].eulerCharacteristic = static_cast<int>(vertices[i].size()) - static_cast<int>(edges[i]) +
+            check_.regions[i].eulerCharacteristic = static_cast<int>(vertices[i].size()) -
+                                                    static_cast<int>(edges[i]) +
                                                     static_cast<int>(check_.regions[i].triangles);
         }
     }
@@ -325,7 +336,8 @@ private:
 
 }  // namespace
 
-PlanarCheck checkPlanar(const PlanarCurveComplex& complex, const PlanarResult& result, const PlanarOptions& options)
+PlanarCheck checkPlanar(const PlanarCurveComplex& complex, const PlanarResult& result,
+                        const PlanarOptions& options)
 {
     return Checker(complex, result, options).run();
 }

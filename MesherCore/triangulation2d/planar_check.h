@@ -26,9 +26,9 @@ struct AngleStatistics
 struct RegionStatistics
 {
     std::size_t triangles = 0;
-    double area = 0.0;        ///< of the triangles, model units squared
-    double curveArea = 0.0;   ///< enclosed by the curves, by Green's theorem
-    double segmentArea = 0.0; ///< between the curves and their boundary edges, by the same integral
+    double area = 0.0;         ///< of the triangles, model units squared
+    double curveArea = 0.0;    ///< enclosed by the curves, by Green's theorem
+    double segmentArea = 0.0;  ///< between the curves and their boundary edges, by the same integral
     int eulerCharacteristic = 0;
 };
 

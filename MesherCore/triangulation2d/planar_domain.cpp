@@ -61,8 +61,8 @@ Result<void> PlanarDomain::checkPoints() const
     for (std::uint32_t i = 0; i < complex_->points.size(); ++i) {
         const PccPoint& point = complex_->points[i];
         if (isFinite(point.position) && isFinite(point.spacePosition)) continue;
-        return inputError(ErrorCode::NonFinitePoint, nameOf(PccPointId(i)), "a coordinate is infinite or not a number",
-                          "repair the point");
+        return inputError(ErrorCode::NonFinitePoint, nameOf(PccPointId(i)),
+                          "a coordinate is infinite or not a number", "repair the point");
     }
     for (const auto& embedded : complex_->embeddedPoints) {
         if (embedded.point.value < complex_->points.size()) continue;
@@ -76,12 +76,14 @@ void PlanarDomain::measure()
     constexpr int kSamplesPerCurve = 16;
     for (const PccCurve& curve : complex_->curves) {
         for (int i = 0; i <= kSamplesPerCurve; ++i) {
-            box_.include(complex_->frame.toPlane(curve.curve->position(curve.part.at(i / double{kSamplesPerCurve}))));
+            box_.include(
+                complex_->frame.toPlane(curve.curve->position(curve.part.at(i / double{kSamplesPerCurve}))));
         }
     }
     for (const PccPoint& point : complex_->points) box_.include(point.position);
     const double largest = largestCoordinate(box_);
-    if (largest > 0.0 && std::isfinite(largest) && (largest > kLargestUnscaled || largest < kSmallestUnscaled)) {
+    if (largest > 0.0 && std::isfinite(largest) &&
+        (largest > kLargestUnscaled || largest < kSmallestUnscaled)) {
         scale_ = std::ldexp(1.0, -std::ilogb(largest));
         box_ = {scale_ * box_.low, scale_ * box_.high};
     }
@@ -98,13 +100,14 @@ Result<void> PlanarDomain::checkCurve(PccCurveId id) const
                           "trim or repair the curve");
     }
     if (!(curveLength > 0.0) || !(c.part.first < c.part.last)) {
-        return inputError(ErrorCode::DegenerateInput, nameOf(id), "the curve has no length", "remove the curve");
+        return inputError(ErrorCode::DegenerateInput, nameOf(id), "the curve has no length",
+                          "remove the curve");
     }
     for (const auto& [point, t] : {std::pair(c.first, c.part.first), std::pair(c.last, c.part.last)}) {
         const double gap = length(place(point).position - place(id, t).position);
         if (gap <= kLargestGap * scale_ * curveLength) continue;
-        Error error = inputError(ErrorCode::InvalidArgument, nameOf(id), "an end of the curve is away from its point",
-                                 "close the gap");
+        Error error = inputError(ErrorCode::InvalidArgument, nameOf(id),
+                                 "an end of the curve is away from its point", "close the gap");
         error.point = complex_->points[point.value].spacePosition;
         return error;
     }

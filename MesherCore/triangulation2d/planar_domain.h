@@ -41,12 +41,18 @@ public:
     [[nodiscard]] std::size_t curveCount() const { return complex_->curves.size(); }
     [[nodiscard]] const PccCurve& curve(PccCurveId curve) const { return complex_->curves[curve.value]; }
     /// In model units and radians.
-    [[nodiscard]] const TangentVariation& variation(PccCurveId curve) const { return variations_[curve.value]; }
+    [[nodiscard]] const TangentVariation& variation(PccCurveId curve) const
+    {
+        return variations_[curve.value];
+    }
 
     [[nodiscard]] PlanarPlace place(PccPointId point) const;
     [[nodiscard]] PlanarPlace place(PccCurveId curve, double t) const;
     [[nodiscard]] Vec2 toTriangulation(const Vec3& space) const;
-    [[nodiscard]] Vec3 toSpace(Vec2 position) const { return complex_->frame.toSpace((1.0 / scale_) * position); }
+    [[nodiscard]] Vec3 toSpace(Vec2 position) const
+    {
+        return complex_->frame.toSpace((1.0 / scale_) * position);
+    }
     /// Direction of the curve at an end of a span, pointing into the span; of length 1.
     [[nodiscard]] Vec2 directionInto(PccCurveId curve, Interval span, CurveEnd end) const;
     /// "Edge7" if the curve came from a model, else "curve 7".

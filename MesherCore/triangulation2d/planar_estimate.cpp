@@ -22,10 +22,12 @@ public:
     }
 
 private:
-    [[nodiscard]] double sizeAt(Vec2 p, const std::array<Vec2, 3>& corners, const std::array<double, 3>& scales) const
+    [[nodiscard]] double sizeAt(Vec2 p, const std::array<Vec2, 3>& corners,
+                                const std::array<double, 3>& scales) const
     {
         double size = wantedSize(domain_, sizing_, p);
-        for (std::size_t i = 0; i < 3; ++i) size = std::min(size, scales[i] + length(p - corners[i]) / sizing_.grading);
+        for (std::size_t i = 0; i < 3; ++i)
+            size = std::min(size, scales[i] + length(p - corners[i]) / sizing_.grading);
         return size;
     }
 
@@ -34,7 +36,8 @@ private:
     {
         const Vec2 middle = (1.0 / 3.0) * (part[0] + part[1] + part[2]);
         const double size = sizeAt(middle, corners, scales);
-        const double reach = std::max({length(part[0] - middle), length(part[1] - middle), length(part[2] - middle)});
+        const double reach =
+            std::max({length(part[0] - middle), length(part[1] - middle), length(part[2] - middle)});
         if (depth == 0 || !varies(part, corners, scales, size) || reach < size) {
             // No piece of the initial triangulation is less than a triangle.
             const double pieces = std::ldexp(1.0, -2 * (kDeepestSubdivision - depth));
@@ -46,7 +49,8 @@ private:
         const Vec2 m2 = 0.5 * (part[0] + part[1]);
         return integrate({part[0], m2, m1}, corners, scales, depth - 1) +
                integrate({m2, part[1], m0}, corners, scales, depth - 1) +
-               integrate({m1, m0, part[2]}, corners, scales, depth - 1) + integrate({m0, m1, m2}, corners, scales, depth - 1);
+               integrate({m1, m0, part[2]}, corners, scales, depth - 1) +
+               integrate({m0, m1, m2}, corners, scales, depth - 1);
     }
 
     [[nodiscard]] bool varies(const std::array<Vec2, 3>& part, const std::array<Vec2, 3>& corners,
@@ -64,7 +68,8 @@ private:
 
 }  // namespace
 
-Result<double> estimateTriangleCount(const PlanarCurveComplex& complex, const PlanarOptions& options, RunContext& context)
+Result<double> estimateTriangleCount(const PlanarCurveComplex& complex, const PlanarOptions& options,
+                                     RunContext& context)
 {
     PlanarOptions initial = options;
     initial.isRefined = false;

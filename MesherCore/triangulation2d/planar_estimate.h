@@ -8,7 +8,7 @@ namespace mesher {
 /// triangulation. Right to about 20 % where sizes rule, and too low where only quality asks for triangles.
 /// Refuses      what triangulatePlanar refuses
 /// Cost         that of the initial triangulation
-[[nodiscard]] Result<double> estimateTriangleCount(const PlanarCurveComplex& complex, const PlanarOptions& options,
-                                                   RunContext& context);
+[[nodiscard]] Result<double> estimateTriangleCount(const PlanarCurveComplex& complex,
+                                                   const PlanarOptions& options, RunContext& context);
 
 }  // namespace mesher

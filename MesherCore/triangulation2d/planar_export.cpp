@@ -8,9 +8,11 @@ namespace {
 class Export
 {
 public:
-    Export(const PlanarDomain& domain, const PlanarTriangulation& triangulation, std::span<const EntityRef> faces)
+    Export(const PlanarDomain& domain, const PlanarTriangulation& triangulation,
+           std::span<const EntityRef> faces)
         : domain_(domain), t_(triangulation), faces_(faces), nodes_(triangulation.mesh().vertexSlots())
-    {}
+    {
+    }
 
     ClassifiedMesh run()
     {
@@ -20,7 +22,8 @@ public:
             const Triangle2d& record = t_.mesh().triangle(id);
             MESHER_PRECONDITION(record.region.value <= faces_.size());
             const EntityRef face = faces_[record.region.value - 1];
-            mesh_.triangles.push_back({{node(record.v[0], face), node(record.v[1], face), node(record.v[2], face)}, face});
+            mesh_.triangles.push_back(
+                {{node(record.v[0], face), node(record.v[1], face), node(record.v[2], face)}, face});
         }
         addLines();
         addPoints();
@@ -37,14 +40,12 @@ private:
             result.position = domain_.toSpace(t_.mesh().position(v));
             result.entity = face;
             result.parameters = (1.0 / t_.scale) * t_.mesh().position(v);
-        }
-        else {
+        } else {
             const BoundaryVertex& vertex = t_.boundary.vertices[b];
             result.position = vertex.space;
             if (vertex.point.isValid()) {
                 result.entity = {0, domain_.complex().points[vertex.point.value].vertex.value};
-            }
-            else {
+            } else {
                 result.entity = {1, domain_.curve(vertex.curve).edge.value};
                 result.parameters.x = vertex.parameter;
             }
@@ -61,7 +62,8 @@ private:
             const Subcurve& subcurve = t_.boundary.subcurves[s];
             const PccCurve& curve = domain_.curve(subcurve.curve);
             if (!subcurve.isAlive || (curve.left.value == 0 && curve.right.value == 0)) continue;
-            mesh_.lines.push_back({{nodes_[t_.firstVertex(s)], nodes_[t_.lastVertex(s)]}, {1, curve.edge.value}});
+            mesh_.lines.push_back(
+                {{nodes_[t_.firstVertex(s)], nodes_[t_.lastVertex(s)]}, {1, curve.edge.value}});
         }
     }
 

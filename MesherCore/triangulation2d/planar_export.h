@@ -12,7 +12,8 @@ namespace mesher {
 ///              parameter on its curve in parameters.x, its place in the plane's axes otherwise; nodes, lines and triangles
 ///              come in an order that depends on the triangulation's numbering only
 /// Requires     `faces[r - 1]` for each region r
-[[nodiscard]] ClassifiedMesh exportPlanarMesh(const PlanarDomain& domain, const PlanarTriangulation& triangulation,
+[[nodiscard]] ClassifiedMesh exportPlanarMesh(const PlanarDomain& domain,
+                                              const PlanarTriangulation& triangulation,
                                               std::span<const EntityRef> faces);
 
 }  // namespace mesher

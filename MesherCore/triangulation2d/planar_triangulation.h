@@ -25,7 +25,8 @@ struct PlanarTriangulation
     /// Invalid for vertices inside of a region.
     [[nodiscard]] BoundaryVertexId boundaryVertexOf(VertexId v) const
     {
-        return mesh().origin(v) == VertexOrigin::Face ? BoundaryVertexId() : BoundaryVertexId(mesh().entity(v));
+        return mesh().origin(v) == VertexOrigin::Face ? BoundaryVertexId()
+                                                      : BoundaryVertexId(mesh().entity(v));
     }
     [[nodiscard]] VertexId firstVertex(SubcurveId s) const
     {

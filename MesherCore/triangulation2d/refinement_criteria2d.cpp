@@ -16,17 +16,18 @@ constexpr double kLongestOverWanted = std::numbers::sqrt2;
 
 /// Too large by a factor of 1 to 2, 2 to 4, and so on. Finer steps give 2 % fewer triangles, but sweep over the domain
 /// once for each step, which costs a third of the time in cache misses.
-double sizeClass(double squaredFactor)
-{
-    return std::ldexp(1.0, 2 * (std::ilogb(squaredFactor) / 2));
-}
+double sizeClass(double squaredFactor) { return std::ldexp(1.0, 2 * (std::ilogb(squaredFactor) / 2)); }
 
 }  // namespace
 
 RefinementCriteria2d::RefinementCriteria2d(const PlanarDomain& domain, const RefinementOptions2d& options,
                                            const PlanarTriangulation& triangulation)
-    : domain_(domain), sizing_(options.sizing), t_(triangulation), mesh_(triangulation.mesh()),
-      hasSizing_(options.sizing.isActive()), hasField_(options.sizing.field != nullptr)
+    : domain_(domain),
+      sizing_(options.sizing),
+      t_(triangulation),
+      mesh_(triangulation.mesh()),
+      hasSizing_(options.sizing.isActive()),
+      hasField_(options.sizing.field != nullptr)
 {
     const double sine = std::sin(options.minAngle / kDegreesPerRadian);
     // A hair beyond the bound, so that triangles exactly at it are not refined for a rounding error.
@@ -44,10 +45,12 @@ RefinementVerdict2d RefinementCriteria2d::judge(TriangleId t) const
     RefinementVerdict2d verdict;
     if (hasSizing_) {
         const double mean = (mesh_.lengthScale(record.v[0]) + mesh_.lengthScale(record.v[1]) +
-                             mesh_.lengthScale(record.v[2])) / 3.0;
+                             mesh_.lengthScale(record.v[2])) /
+                            3.0;
         double squaredSize = kSquaredSizeBound * mean * mean;
         if (hasField_) squaredSize = std::min(squaredSize, squaredFieldBound(a, b, c, shape, squaredSize));
-        if (shape.squaredRadius > squaredSize) verdict = {RefinementNeed2d::Size, sizeClass(shape.squaredRadius / squaredSize)};
+        if (shape.squaredRadius > squaredSize)
+            verdict = {RefinementNeed2d::Size, sizeClass(shape.squaredRadius / squaredSize)};
     }
     if (verdict.need == RefinementNeed2d::Nothing && shape.squaredRatio() > squaredBound_) {
         verdict = {RefinementNeed2d::Quality, shape.squaredRatio()};
@@ -57,7 +60,8 @@ RefinementVerdict2d RefinementCriteria2d::judge(TriangleId t) const
 }
 
 /// A triangle may hide a small place of the field between its vertices.
-double RefinementCriteria2d::squaredFieldBound(Vec2 a, Vec2 b, Vec2 c, const TriangleShape2d& shape, double known) const
+double RefinementCriteria2d::squaredFieldBound(Vec2 a, Vec2 b, Vec2 c, const TriangleShape2d& shape,
+                                               double known) const
 {
     if (shape.squaredRadius > known) return known;
     const Vec2 centroid = (1.0 / 3.0) * (a + b + c);
@@ -67,7 +71,8 @@ double RefinementCriteria2d::squaredFieldBound(Vec2 a, Vec2 b, Vec2 c, const Tri
     return near * near;
 }
 
-SmallAngleId RefinementCriteria2d::smallAngleSpannedBy(const Triangle2d& record, const TriangleShape2d& shape) const
+SmallAngleId RefinementCriteria2d::smallAngleSpannedBy(const Triangle2d& record,
+                                                       const TriangleShape2d& shape) const
 {
     const BoundaryVertexId a = t_.boundaryVertexOf(record.v[nextCorner(shape.shortestEdge)]);
     const BoundaryVertexId b = t_.boundaryVertexOf(record.v[previousCorner(shape.shortestEdge)]);
@@ -86,8 +91,8 @@ bool RefinementCriteria2d::isTooLong(SubcurveId s) const
     if (edge > mesh_.lengthScale(t_.firstVertex(s)) + mesh_.lengthScale(t_.lastVertex(s))) return true;
     if (!hasField_) return false;
     const Vec2 middle = 0.5 * (t_.boundary.from(s) + t_.boundary.to(s));
-    const double near = domain_.scale() *
-                        sizing_.field->smallestNear(domain_.toSpace(middle), 0.25 * edge / domain_.scale());
+    const double near =
+        domain_.scale() * sizing_.field->smallestNear(domain_.toSpace(middle), 0.25 * edge / domain_.scale());
     return edge > kLongestOverWanted * near;
 }
 

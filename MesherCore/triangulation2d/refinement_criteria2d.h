@@ -30,12 +30,17 @@ public:
     /// Of a meshed triangle.
     [[nodiscard]] RefinementVerdict2d judge(TriangleId t) const;
     [[nodiscard]] bool isTooLong(SubcurveId s) const;
-    [[nodiscard]] bool hasSmallAngle(const TriangleShape2d& shape) const { return shape.squaredRatio() > squaredBound_; }
+    [[nodiscard]] bool hasSmallAngle(const TriangleShape2d& shape) const
+    {
+        return shape.squaredRatio() > squaredBound_;
+    }
     /// The small angle between whose curves the triangle's shortest edge lies, both ends on one shell; else invalid.
-    [[nodiscard]] SmallAngleId smallAngleSpannedBy(const Triangle2d& record, const TriangleShape2d& shape) const;
+    [[nodiscard]] SmallAngleId smallAngleSpannedBy(const Triangle2d& record,
+                                                   const TriangleShape2d& shape) const;
 
 private:
-    [[nodiscard]] double squaredFieldBound(Vec2 a, Vec2 b, Vec2 c, const TriangleShape2d& shape, double known) const;
+    [[nodiscard]] double squaredFieldBound(Vec2 a, Vec2 b, Vec2 c, const TriangleShape2d& shape,
+                                           double known) const;
 
     const PlanarDomain& domain_;
     const PlanarSizing& sizing_;

@@ -17,7 +17,8 @@ struct CurveEndAt
     SubcurveId subcurve;
     CurveEnd end = CurveEnd::First;
     double tangentAngle = 0.0;
-    double orderAngle = 0.0;  ///< of the curve's point on a common circle around the apex: curves do not cross there
+    double orderAngle =
+        0.0;  ///< of the curve's point on a common circle around the apex: curves do not cross there
 };
 
 double angleOf(Vec2 v) { return std::atan2(v.y, v.x); }
@@ -101,10 +102,12 @@ private:
             const Subcurve& subcurve = boundary_.subcurves[end.subcurve];
             end.tangentAngle = angleOf(domain_.directionInto(subcurve.curve, subcurve.part, end.end));
             const DistanceCrossing crossing =
-                domain_.variation(subcurve.curve).parameterAtDistance(centre.space, radius, subcurve.part, end.end);
-            end.orderAngle = crossing.parameter ? angleOf(domain_.place(subcurve.curve, *crossing.parameter).position -
-                                                          centre.position)
-                                                : end.tangentAngle;
+                domain_.variation(subcurve.curve)
+                    .parameterAtDistance(centre.space, radius, subcurve.part, end.end);
+            end.orderAngle =
+                crossing.parameter
+                    ? angleOf(domain_.place(subcurve.curve, *crossing.parameter).position - centre.position)
+                    : end.tangentAngle;
         }
         std::stable_sort(ends.begin(), ends.end(), [](const CurveEndAt& a, const CurveEndAt& b) {
             return a.orderAngle < b.orderAngle;
@@ -134,11 +137,13 @@ private:
         std::vector<bool> isSmall(count);
         for (std::size_t i = 0; i < count; ++i) {
             wedges[i] = wedgeAngle(ends[i], ends[(i + 1) % count], i + 1 == count) * kDegreesPerRadian;
-            isSmall[i] = wedges[i] < SmallAngles2d::kLimitDegrees - kAngleSlack && regionLeftOf(ends[i]).value != 0;
+            isSmall[i] =
+                wedges[i] < SmallAngles2d::kLimitDegrees - kAngleSlack && regionLeftOf(ends[i]).value != 0;
         }
         // Start behind a wedge that is not small, so that no complex is met in its middle.
         const auto large = std::find(isSmall.begin(), isSmall.end(), false);
-        const std::size_t start = large == isSmall.end() ? 0 : static_cast<std::size_t>(large - isSmall.begin()) + 1;
+        const std::size_t start =
+            large == isSmall.end() ? 0 : static_cast<std::size_t>(large - isSmall.begin()) + 1;
         SmallAngleId open;
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t i = (start + k) % count;
@@ -185,10 +190,12 @@ private:
 
     void cutAtShells()
     {
-        IdVector<SmallAngleId, double> shortest(result_.complexes.size(), std::numeric_limits<double>::infinity());
+        IdVector<SmallAngleId, double> shortest(result_.complexes.size(),
+                                                std::numeric_limits<double>::infinity());
         for (std::uint32_t i = 0; i < enrolments_.size(); ++i) {
             const SmallAngleId complex = enrolments_[i].only();
-            if (complex.isValid()) shortest[complex] = std::min(shortest[complex], boundary_.edgeLength(SubcurveId(i)));
+            if (complex.isValid())
+                shortest[complex] = std::min(shortest[complex], boundary_.edgeLength(SubcurveId(i)));
         }
         for (std::uint32_t i = 0; i < result_.complexes.size(); ++i) {
             SmallAngleComplex& complex = result_.complexes[SmallAngleId(i)];

@@ -4,7 +4,8 @@
 
 namespace mesher {
 
-StraightWalk2d walkStraight(const Triangulation2d& mesh, const StaticFilter2d& filter, TriangleId start, Vec2 point)
+StraightWalk2d walkStraight(const Triangulation2d& mesh, const StaticFilter2d& filter, TriangleId start,
+                            Vec2 point)
 {
     constexpr int kMaxSteps = 100000;
     constexpr unsigned kNowhere = 3;
@@ -17,7 +18,8 @@ StraightWalk2d walkStraight(const Triangulation2d& mesh, const StaticFilter2d& f
     for (int step = 0; step < kMaxSteps; ++step) {
         const Triangle2d& record = mesh.triangle(t);
         if (record.isGhost()) return result;
-        const Vec2 corners[3] = {mesh.position(record.v[0]), mesh.position(record.v[1]), mesh.position(record.v[2])};
+        const Vec2 corners[3] = {mesh.position(record.v[0]), mesh.position(record.v[1]),
+                                 mesh.position(record.v[2])};
         Sign sides[3] = {Sign::Positive, Sign::Positive, Sign::Positive};
         unsigned beyond[2] = {kNowhere, kNowhere};
         unsigned count = 0;

@@ -25,7 +25,7 @@ struct StraightWalk2d
 /// Guarantees   exact decisions; a location that is found is right whatever the rounding of the centroid
 /// Terminates   after a fixed number of steps at the latest
 /// Cost         the number of triangles on the line
-[[nodiscard]] StraightWalk2d walkStraight(const Triangulation2d& mesh, const StaticFilter2d& filter, TriangleId start,
-                                          Vec2 point);
+[[nodiscard]] StraightWalk2d walkStraight(const Triangulation2d& mesh, const StaticFilter2d& filter,
+                                          TriangleId start, Vec2 point);
 
 }  // namespace mesher

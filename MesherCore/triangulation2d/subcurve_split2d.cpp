@@ -20,8 +20,8 @@ bool isStrictlyInside(Vec2 a, Vec2 b, Vec2 c, Vec2 p)
 /// Whether an edge reaches into the triangle of a, p and b other than along its sides, or goes through p.
 bool reachesInto(Vec2 a, Vec2 p, Vec2 b, Vec2 from, Vec2 to)
 {
-    return doSegmentsMeet(a, p, from, to) || doSegmentsMeet(p, b, from, to) || isStrictlyInside(a, p, b, from) ||
-           isStrictlyInside(a, p, b, to);
+    return doSegmentsMeet(a, p, from, to) || doSegmentsMeet(p, b, from, to) ||
+           isStrictlyInside(a, p, b, from) || isStrictlyInside(a, p, b, to);
 }
 
 double distanceToSegment(Vec2 p, Vec2 a, Vec2 b)
@@ -95,7 +95,8 @@ EdgeLink SubcurveSplitter2d::findBlocker(EdgeLink edge, Vec2 point)
         if (record.isGhost() || !visited.insert(entry.triangle().value)) continue;
         for (const unsigned other : {nextCorner(entry.edge()), previousCorner(entry.edge())}) {
             const EdgeLink exit(entry.triangle(), other);
-            if (!reachesInto(a, point, b, mesh.position(mesh.edgeFrom(exit)), mesh.position(mesh.edgeTo(exit)))) {
+            if (!reachesInto(a, point, b, mesh.position(mesh.edgeFrom(exit)),
+                             mesh.position(mesh.edgeTo(exit)))) {
                 continue;
             }
             if (record.isConstrained(other)) return exit;
@@ -143,7 +144,8 @@ void SubcurveSplitter2d::collectFreeVertices(EdgeLink side, Vec2 point)
         const VertexId apex = record.v[entry.edge()];
         const Vec2 p = mesh.position(apex);
         if (mesh.origin(apex) == VertexOrigin::Face &&
-            (isInDiametralCircle(a, b, p) || isInDiametralLens(a, point, p) || isInDiametralLens(point, b, p)) &&
+            (isInDiametralCircle(a, b, p) || isInDiametralLens(a, point, p) ||
+             isInDiametralLens(point, b, p)) &&
             std::find(doomed_.begin(), doomed_.end(), apex) == doomed_.end()) {
             doomed_.push_back(apex);
         }
@@ -186,7 +188,8 @@ void SubcurveSplitter2d::restoreRegions(SubcurveId s, VertexId middle, bool isWi
     const PccCurve& curve = domain_.curve(t_.boundary.subcurves[s].curve);
     const EdgeLink left = mesh.findEdge(t_.firstVertex(s), t_.lastVertex(s));
     IdSet visited;
-    for (const auto& [side, region] : {std::pair(left, curve.left), std::pair(mesh.across(left), curve.right)}) {
+    for (const auto& [side, region] :
+         {std::pair(left, curve.left), std::pair(mesh.across(left), curve.right)}) {
         stack_.assign(1, side);
         while (!stack_.empty()) {
             const EdgeLink entry = stack_.back();

@@ -45,7 +45,8 @@ class SubcurveSplitter2d
 public:
     SubcurveSplitter2d(const PlanarDomain& domain, PlanarTriangulation& triangulation)
         : domain_(domain), t_(triangulation)
-    {}
+    {
+    }
 
     SubcurveSplit2d split(SubcurveId s);
 

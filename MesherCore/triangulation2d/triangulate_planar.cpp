@@ -43,7 +43,9 @@ Result<void> checkOptions(const PlanarOptions& options)
     constexpr double kLargestMinAngle = 45.0;
     constexpr double kLargestFactor = 1e9;
     const PlanarSizing& sizing = options.refinement.sizing;
-    if (auto r = checkRange("maxVariation", options.sampling.maxVariation, kSmallestTvDegrees, kLargestTvDegrees); !r) {
+    if (auto r =
+            checkRange("maxVariation", options.sampling.maxVariation, kSmallestTvDegrees, kLargestTvDegrees);
+        !r) {
         return r;
     }
     if (auto r = checkRange("minAngle", options.refinement.minAngle, 0.0, kLargestMinAngle); !r) return r;
@@ -101,7 +103,8 @@ Result<PlanarResult> triangulatePlanar(const PlanarCurveComplex& complex, const 
     countResult(result);
     result.counts.initialVertices = result.counts.vertices;
     result.counts.initialTriangles = result.counts.triangles;
-    if (options.refinement.sizing.isActive()) setLengthScales(*domain, options.refinement.sizing, triangulation);
+    if (options.refinement.sizing.isActive())
+        setLengthScales(*domain, options.refinement.sizing, triangulation);
     result.seconds.initialTriangulation = watch.lap();
     if (!options.isRefined) return result;
 

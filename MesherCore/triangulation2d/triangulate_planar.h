@@ -33,7 +33,7 @@ struct PlanarCounts
     std::size_t initialVertices = 0;
     std::size_t initialTriangles = 0;  ///< of regions
     std::size_t vertices = 0;
-    std::size_t triangles = 0;         ///< of regions
+    std::size_t triangles = 0;  ///< of regions
     std::size_t boundaryEdges = 0;
 };
 
@@ -64,7 +64,7 @@ struct PlanarResult
 /// Terminates   see RefinementOptions2d::minAngle; always within the limits, the reason told
 /// Cost         O(n log n), nearly all of it in the refinement
 /// Reference    thesis chapter 2, [gosselin]
-[[nodiscard]] Result<PlanarResult> triangulatePlanar(const PlanarCurveComplex& complex, const PlanarOptions& options,
-                                                     RunContext& context);
+[[nodiscard]] Result<PlanarResult> triangulatePlanar(const PlanarCurveComplex& complex,
+                                                     const PlanarOptions& options, RunContext& context);
 
 }  // namespace mesher

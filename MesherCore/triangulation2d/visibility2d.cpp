@@ -13,7 +13,8 @@ namespace {
 constexpr double kHeightNoise = 4e-16;
 
 /// The curve's height over its edge at a place along the edge: bisection, because the place grows with the parameter.
-double heightAt(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s, Vec2 direction, double along)
+double heightAt(const PlanarDomain& domain, const Boundary& boundary, SubcurveId s, Vec2 direction,
+                double along)
 {
     const Subcurve& subcurve = boundary.subcurves[s];
     const Vec2 start = boundary.from(s);
@@ -43,7 +44,8 @@ CurveSide sideOfSubcurve(const PlanarDomain& domain, const Boundary& boundary, S
 {
     const CurveSide ofEdge = sideOfEdge(boundary, s, point);
     const Subcurve& subcurve = boundary.subcurves[s];
-    const double turning = domain.variation(subcurve.curve).variation(subcurve.part.first, subcurve.part.last);
+    const double turning =
+        domain.variation(subcurve.curve).variation(subcurve.part.first, subcurve.part.last);
     const Vec2 edge = boundary.to(s) - boundary.from(s);
     const double edgeLength = length(edge);
     const Vec2 direction = (1.0 / edgeLength) * edge;
@@ -51,7 +53,8 @@ CurveSide sideOfSubcurve(const PlanarDomain& domain, const Boundary& boundary, S
     const double along = dot(offset, direction);
     const double height = cross(direction, offset);
     const Vec2 extent = domain.box().extent();
-    const double noise = kHeightNoise * (std::max(extent.x, extent.y) + std::abs(point.x) + std::abs(point.y));
+    const double noise =
+        kHeightNoise * (std::max(extent.x, extent.y) + std::abs(point.x) + std::abs(point.y));
     // The tangents keep within the turning around the edge's direction, and so does the curve.
     const double reach = std::min(along, edgeLength - along);
     const double largest = turning < 1.5 ? std::max(reach, 0.0) * std::tan(turning) : edgeLength;

@@ -33,7 +33,8 @@ class Visibility2d
 public:
     Visibility2d(const PlanarDomain& domain, const Boundary& boundary, const BoundaryIndex& index)
         : domain_(domain), boundary_(boundary), index_(index)
-    {}
+    {
+    }
 
     [[nodiscard]] bool isVisible(BoundaryVertexId v, SubcurveId from);
 

@@ -32,11 +32,16 @@ std::optional<Options> parseOptions(int count, char** words)
     for (int i = 1; i + 1 < count; i += 2) {
         const std::string_view name = words[i];
         const std::uint64_t value = std::strtoull(words[i + 1], nullptr, 10);
-        if (name == "--domains") options.domains = value;
-        else if (name == "--seed") options.seed = value;
-        else if (name == "--from") options.from = value;
-        else if (name == "--verbose") options.isVerbose = value != 0;
-        else return std::nullopt;
+        if (name == "--domains")
+            options.domains = value;
+        else if (name == "--seed")
+            options.seed = value;
+        else if (name == "--from")
+            options.from = value;
+        else if (name == "--verbose")
+            options.isVerbose = value != 0;
+        else
+            return std::nullopt;
     }
     if (count % 2 == 0) return std::nullopt;
     return options;
@@ -68,19 +73,21 @@ double largestAngleAllowed(const PlanarTriangulation& triangulation)
 }
 
 /// What went wrong with a domain; nothing if all is well.
-std::optional<std::string> failureOf(const RandomDomain& domain, const PlanarOptions& options, std::string& summary)
+std::optional<std::string> failureOf(const RandomDomain& domain, const PlanarOptions& options,
+                                     std::string& summary)
 {
     RunContext context;
     auto result = triangulatePlanar(domain.complex, options, context);
     if (!result) return "refused: " + describe(result.error());
     const PlanarCheck check = checkPlanar(domain.complex, *result, options);
-    summary = std::to_string(result->counts.triangles) + " triangles, angles " + std::to_string(check.angles.smallest) + " to " +
-              std::to_string(check.angles.largest);
+    summary = std::to_string(result->counts.triangles) + " triangles, angles " +
+              std::to_string(check.angles.smallest) + " to " + std::to_string(check.angles.largest);
     if (result->stopReason != StopReason::Done) {
         return "stopped: " + std::string(nameOf(result->stopReason)) + ", " + summary;
     }
     if (!check.isClean()) return check.violations.front() + ", " + summary;
-    if (options.refinement.minAngle >= 30.0 && check.angles.largest > largestAngleAllowed(result->triangulation)) {
+    if (options.refinement.minAngle >= 30.0 &&
+        check.angles.largest > largestAngleAllowed(result->triangulation)) {
         return "largest angle, " + summary;
     }
     return std::nullopt;
@@ -101,12 +108,14 @@ int run(const Options& options)
         std::string summary;
         const auto start = std::chrono::steady_clock::now();
         const auto failure = failureOf(domain, planar, summary);
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (failure) ++failures;
         if (failure || options.isVerbose) {
             std::cout << "domain " << i << " of seed " << options.seed << " [" << domain.description << "] R "
-                      << planar.refinement.sizing.refinement << " G " << planar.refinement.sizing.grading << ": "
-                      << (failure ? "FAILED " + *failure : summary) << " (" << seconds << " s)" << std::endl;
+                      << planar.refinement.sizing.refinement << " G " << planar.refinement.sizing.grading
+                      << ": " << (failure ? "FAILED " + *failure : summary) << " (" << seconds << " s)"
+                      << std::endl;
         }
     }
     std::cout << options.domains << " domains, " << failures << " failures" << std::endl;

@@ -52,13 +52,15 @@ PccCurveId PlanarBuilder::add(std::shared_ptr<const Curve> curve, PccPointId a, 
 {
     regionCount_ = std::max({regionCount_, sides.left, sides.right});
     const Interval range = curve->range();
-    complex_.curves.push_back({std::move(curve), range, a, b, RegionId(sides.left), RegionId(sides.right), {}});
+    complex_.curves.push_back(
+        {std::move(curve), range, a, b, RegionId(sides.left), RegionId(sides.right), {}});
     return PccCurveId(static_cast<std::uint32_t>(complex_.curves.size() - 1));
 }
 
 PccCurveId PlanarBuilder::line(PccPointId a, PccPointId b, Sides sides)
 {
-    return add(std::make_shared<LineCurve>(LineCurve::between(inSpace(position(a)), inSpace(position(b)))), a, b, sides);
+    return add(std::make_shared<LineCurve>(LineCurve::between(inSpace(position(a)), inSpace(position(b)))), a,
+               b, sides);
 }
 
 std::vector<PccPointId> PlanarBuilder::polygon(std::span<const Vec2> corners, Sides sides)
@@ -73,21 +75,24 @@ PccCurveId PlanarBuilder::arc(PccPointId a, PccPointId b, Vec2 centre, double tu
 {
     const Vec2 offset = position(a) - centre;
     const Axes axes = axesAt(centre, std::atan2(offset.y, offset.x), turn < 0.0);
-    return add(std::make_shared<CircleCurve>(axes, length(offset), Interval{0.0, std::abs(turn)}), a, b, sides);
+    return add(std::make_shared<CircleCurve>(axes, length(offset), Interval{0.0, std::abs(turn)}), a, b,
+               sides);
 }
 
 PccCurveId PlanarBuilder::circle(Vec2 centre, double radius, Sides sides, bool isClockwise, double startAngle)
 {
     const PccPointId p = point(centre + radius * Vec2{std::cos(startAngle), std::sin(startAngle)});
     const Axes axes = axesAt(centre, startAngle, isClockwise);
-    return add(std::make_shared<CircleCurve>(axes, radius, Interval{0.0, 2.0 * std::numbers::pi}), p, p, sides);
+    return add(std::make_shared<CircleCurve>(axes, radius, Interval{0.0, 2.0 * std::numbers::pi}), p, p,
+               sides);
 }
 
-PccCurveId PlanarBuilder::ellipse(Vec2 centre, double a, double b, double tilt, Sides sides, double startAngle)
+PccCurveId PlanarBuilder::ellipse(Vec2 centre, double a, double b, double tilt, Sides sides,
+                                  double startAngle)
 {
     const Axes axes = axesAt(centre, tilt, false);
-    const auto curve = std::make_shared<EllipseCurve>(axes, a, b,
-                                                      Interval{startAngle, startAngle + 2.0 * std::numbers::pi});
+    const auto curve =
+        std::make_shared<EllipseCurve>(axes, a, b, Interval{startAngle, startAngle + 2.0 * std::numbers::pi});
     const Vec3 start = curve->position(startAngle);
     const PccPointId p = point({start.x, start.y});
     return add(curve, p, p, sides);
@@ -125,7 +130,8 @@ PccCurveId PlanarBuilder::polyline(PccPointId a, std::span<const Vec2> inner, Pc
 PlanarCurveComplex PlanarBuilder::build()
 {
     complex_.regionNames.clear();
-    for (std::uint32_t i = 1; i <= regionCount_; ++i) complex_.regionNames.push_back("Face" + std::to_string(i));
+    for (std::uint32_t i = 1; i <= regionCount_; ++i)
+        complex_.regionNames.push_back("Face" + std::to_string(i));
     return std::move(complex_);
 }
 

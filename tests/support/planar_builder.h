@@ -33,8 +33,10 @@ public:
     /// Around a centre from one point to another, counter-clockwise if `turn` (radians) is positive.
     PccCurveId arc(PccPointId a, PccPointId b, Vec2 centre, double turn, Sides sides = {});
     /// A closed circle, counter-clockwise unless `isClockwise`; its point lies at `startAngle`.
-    PccCurveId circle(Vec2 centre, double radius, Sides sides = {}, bool isClockwise = false, double startAngle = 0.0);
-    PccCurveId ellipse(Vec2 centre, double a, double b, double tilt, Sides sides = {}, double startAngle = 0.0);
+    PccCurveId circle(Vec2 centre, double radius, Sides sides = {}, bool isClockwise = false,
+                      double startAngle = 0.0);
+    PccCurveId ellipse(Vec2 centre, double a, double b, double tilt, Sides sides = {},
+                       double startAngle = 0.0);
     /// The interpolating cubic spline from a through the inner points to b; a == b closes it, with a corner.
     PccCurveId spline(PccPointId a, std::span<const Vec2> inner, PccPointId b, Sides sides = {});
     PccCurveId bezier(PccPointId a, std::span<const Vec2> inner, PccPointId b, Sides sides = {});

@@ -15,11 +15,13 @@ constexpr PlanarBuilder::Sides kHole{0, 1};  // a counter-clockwise curve around
 double nacaHalfThickness(double x, double thickness)
 {
     return 5.0 * thickness *
-           (0.2969 * std::sqrt(x) - 0.1260 * x - 0.3516 * x * x + 0.2843 * x * x * x - 0.1036 * x * x * x * x);
+           (0.2969 * std::sqrt(x) - 0.1260 * x - 0.3516 * x * x + 0.2843 * x * x * x -
+            0.1036 * x * x * x * x);
 }
 
 /// An airfoil as two splines from trailing to leading edge and back, mapped into place; counter-clockwise.
-void addAirfoil(PlanarBuilder& builder, Vec2 nose, double chord, double degrees, double thickness, double camber)
+void addAirfoil(PlanarBuilder& builder, Vec2 nose, double chord, double degrees, double thickness,
+                double camber)
 {
     const double angle = degrees * kPi / 180.0;
     const auto place = [&](double x, double y) {
@@ -43,11 +45,13 @@ void addAirfoil(PlanarBuilder& builder, Vec2 nose, double chord, double degrees,
 
 /// An element of a high-lift airfoil as one spline from the trailing edge around the nose, with a cove on the lower side where
 /// the next element retracts: `cove` is the part of the chord it takes.
-void addElement(PlanarBuilder& builder, Vec2 nose, double chord, double degrees, double thickness, double cove)
+void addElement(PlanarBuilder& builder, Vec2 nose, double chord, double degrees, double thickness,
+                double cove)
 {
     const double angle = degrees * kPi / 180.0;
     const auto place = [&](double x, double y) {
-        return nose + chord * Vec2{x * std::cos(angle) + y * std::sin(angle), -x * std::sin(angle) + y * std::cos(angle)};
+        return nose + chord * Vec2{x * std::cos(angle) + y * std::sin(angle),
+                                   -x * std::sin(angle) + y * std::cos(angle)};
     };
     const auto lowerAt = [&](double x) {
         // Rises from the lower side to just below the upper one within two hundredths of the chord.
@@ -73,7 +77,8 @@ void addRectangle(PlanarBuilder& builder, Vec2 low, Vec2 high, PlanarBuilder::Si
 }
 
 /// A wavy closed spline around a centre, counter-clockwise.
-void addBlob(PlanarBuilder& builder, Vec2 centre, double radius, int lobes, double depth, PlanarBuilder::Sides sides)
+void addBlob(PlanarBuilder& builder, Vec2 centre, double radius, int lobes, double depth,
+             PlanarBuilder::Sides sides)
 {
     const int samples = 6 * lobes;
     const auto at = [&](int i) {
@@ -125,7 +130,9 @@ PlanarCurveComplex manyDisjointRegions()
             ++region;
             switch ((row + column) % 3) {
                 case 0: addBlob(builder, centre, 0.42, 3 + column, 0.15, {region, 0}); break;
-                case 1: addRectangle(builder, centre - Vec2{0.5, 0.5}, centre + Vec2{0.5, 0.5}, {region, 0}); break;
+                case 1:
+                    addRectangle(builder, centre - Vec2{0.5, 0.5}, centre + Vec2{0.5, 0.5}, {region, 0});
+                    break;
                 default: builder.ellipse(centre, 0.5, 0.2 + 0.05 * row, 0.3 * column, {region, 0}); break;
             }
         }
@@ -136,8 +143,8 @@ PlanarCurveComplex manyDisjointRegions()
 PlanarCurveComplex splineCavity()
 {
     PlanarBuilder builder;
-    const PccPointId corners[] = {builder.point({0.0, 0.0}), builder.point({4.0, 0.2}), builder.point({5.0, 3.0}),
-                                  builder.point({1.0, 3.4})};
+    const PccPointId corners[] = {builder.point({0.0, 0.0}), builder.point({4.0, 0.2}),
+                                  builder.point({5.0, 3.0}), builder.point({1.0, 3.4})};
     // Sides that leave some corners at small angles.
     const Vec2 first[] = {{1.0, 0.9}, {2.2, 0.5}, {3.1, 0.9}};
     const Vec2 second[] = {{3.6, 1.0}, {4.4, 1.9}};
@@ -168,8 +175,7 @@ PlanarCurveComplex smallAngleFan()
         const PccPointId end = builder.point(reach * ahead);
         if (index++ % 2 == 0) {
             builder.line(apex, end, inside);
-        }
-        else {
+        } else {
             // Leaves at the ray's angle and bends a little away from the next one.
             const Vec2 aside{ahead.y, -ahead.x};
             const Vec2 control[] = {0.4 * ahead, 0.7 * reach * ahead + 0.002 * aside};
@@ -214,7 +220,9 @@ PlanarCurveComplex thinHoleBetweenArcs()
     PlanarBuilder builder;
     addRectangle(builder, {-2.0, -1.0}, {2.0, 3.0}, {1, 0});
     const Vec2 centre{0.0, 0.0};
-    const auto at = [&](double radius, double angle) { return radius * Vec2{std::cos(angle), std::sin(angle)}; };
+    const auto at = [&](double radius, double angle) {
+        return radius * Vec2{std::cos(angle), std::sin(angle)};
+    };
     const double start = 0.25 * kPi;
     const double turn = 0.5 * kPi;
     const PccPointId a = builder.point(at(1.0, start));

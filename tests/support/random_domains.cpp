@@ -35,8 +35,14 @@ public:
 private:
     static Vec2 ray(double angle) { return {std::cos(angle), std::sin(angle)}; }
     double between(double low, double high) { return random_.between(low, high); }
-    double logarithmic(double low, double high) { return low * std::exp(random_.unit() * std::log(high / low)); }
-    Vec2 near(Vec2 centre, double distance) { return centre + between(0.0, distance) * ray(between(0.0, 2.0 * kPi)); }
+    double logarithmic(double low, double high)
+    {
+        return low * std::exp(random_.unit() * std::log(high / low));
+    }
+    Vec2 near(Vec2 centre, double distance)
+    {
+        return centre + between(0.0, distance) * ray(between(0.0, 2.0 * kPi));
+    }
     void note(const char* name) { (description_ += description_.empty() ? "" : " ") += name; }
 
     /// Counter-clockwise; the sides stay within 0.2 of the rectangle, outside of which no cell reaches.
@@ -44,7 +50,8 @@ private:
     {
         const double margin = 0.25;
         const Vec2 high{columns + margin, rows + margin};
-        const std::array<Vec2, 4> corners{Vec2{-margin, -margin}, Vec2{high.x, -margin}, high, Vec2{-margin, high.y}};
+        const std::array<Vec2, 4> corners{Vec2{-margin, -margin}, Vec2{high.x, -margin}, high,
+                                          Vec2{-margin, high.y}};
         std::array<PccPointId, 4> points;
         for (std::size_t i = 0; i < 4; ++i) points[i] = builder_.point(corners[i]);
         for (std::size_t i = 0; i < 4; ++i) addSide(points[i], points[(i + 1) % 4]);
@@ -55,7 +62,9 @@ private:
         const Vec2 from = builder_.position(a);
         const Vec2 along = builder_.position(b) - from;
         const Vec2 outward = (1.0 / length(along)) * Vec2{along.y, -along.x};
-        const auto at = [&](double fraction, double height) { return from + fraction * along + height * outward; };
+        const auto at = [&](double fraction, double height) {
+            return from + fraction * along + height * outward;
+        };
         switch (random_.below(4)) {
             case 0: builder_.line(a, b); break;
             case 1: {
@@ -117,7 +126,8 @@ private:
     {
         note("ellipse");
         const double a = between(0.1, 0.45);
-        builder_.ellipse(centre, a, a * logarithmic(0.01, 1.0), between(0.0, kPi), island(), between(0.0, 6.0));
+        builder_.ellipse(centre, a, a * logarithmic(0.01, 1.0), between(0.0, kPi), island(),
+                         between(0.0, 6.0));
     }
 
     void addBlob(Vec2 centre)
@@ -178,8 +188,7 @@ private:
             const PccPointId end = builder_.point(centre + reach * ray(angle));
             if (random_.below(3) != 0) {
                 builder_.line(apex, end, {1, 1});
-            }
-            else {
+            } else {
                 // Bends by much less than a third of the angle on either side.
                 const Vec2 controls[] = {centre + 0.5 * reach * ray(angle),
                                          centre + 0.8 * reach * ray(angle + between(-0.004, 0.004))};
@@ -196,8 +205,10 @@ private:
         const double first = logarithmic(0.02, 0.2);
         const double second = logarithmic(0.02, 0.2);
         const bool isInside = random_.below(2) == 0 && std::abs(first - second) > 0.1 * first;
-        const auto sides = random_.below(2) == 0 ? PlanarBuilder::Sides{0, 1} : PlanarBuilder::Sides{++regions_, 1};
-        builder_.arc(p, p, centre + first * ray(turn), 2.0 * kPi, isInside ? nestedOuter(first, second) : sides);
+        const auto sides =
+            random_.below(2) == 0 ? PlanarBuilder::Sides{0, 1} : PlanarBuilder::Sides{++regions_, 1};
+        builder_.arc(p, p, centre + first * ray(turn), 2.0 * kPi,
+                     isInside ? nestedOuter(first, second) : sides);
         builder_.arc(p, p, centre + (isInside ? second : -second) * ray(turn), 2.0 * kPi,
                      isInside ? nestedInner(first, second) : PlanarBuilder::Sides{++regions_, 1});
     }
@@ -240,8 +251,7 @@ private:
         builder_.arc(a, b, centreFor(opening), 2.0 * opening, sides);
         if (random_.below(2) == 0) {
             builder_.line(b, a, sides);
-        }
-        else {
+        } else {
             builder_.arc(b, a, centreFor(-opening), 2.0 * opening, sides);
         }
     }
@@ -251,7 +261,8 @@ private:
         note("detail");
         const double size = logarithmic(3e-4, 5e-3);
         const Vec2 middle = near(centre, 0.4);
-        const Vec2 corners[] = {middle, middle + size * Vec2{1.0, 0.1}, middle + size * Vec2{0.4, between(0.1, 1.0)}};
+        const Vec2 corners[] = {middle, middle + size * Vec2{1.0, 0.1},
+                                middle + size * Vec2{0.4, between(0.1, 1.0)}};
         builder_.polygon(corners, island());
     }
 
@@ -261,7 +272,8 @@ private:
         const int count = 4 + static_cast<int>(random_.below(8));
         std::vector<Vec2> inner;
         const double start = between(0.0, 6.0);
-        for (int i = 1; i < count; ++i) inner.push_back(centre + between(0.15, 0.45) * ray(start + 2.0 * kPi * i / count));
+        for (int i = 1; i < count; ++i)
+            inner.push_back(centre + between(0.15, 0.45) * ray(start + 2.0 * kPi * i / count));
         const PccPointId p = builder_.point(centre + between(0.15, 0.45) * ray(start));
         builder_.polyline(p, inner, p, island());
     }
@@ -292,8 +304,8 @@ private:
         const double radius = between(0.2, 0.4);
         const double ratio = logarithmic(0.02, 0.97);
         builder_.circle(centre, radius, {outer, 1}, false, between(0.0, 6.0));
-        builder_.circle(centre + 0.5 * (1.0 - ratio) * radius * ray(between(0.0, 6.0)), ratio * radius, {inner, outer}, false,
-                        between(0.0, 6.0));
+        builder_.circle(centre + 0.5 * (1.0 - ratio) * radius * ray(between(0.0, 6.0)), ratio * radius,
+                        {inner, outer}, false, between(0.0, 6.0));
     }
 
     void addWedgeHole(Vec2 centre)
@@ -301,7 +313,8 @@ private:
         note("wedge");
         const double opening = logarithmic(1.0, 60.0) * kPi / 180.0;
         const double turn = between(0.0, 2.0 * kPi);
-        const Vec2 corners[] = {centre, centre + between(0.1, 0.45) * ray(turn), centre + between(0.1, 0.45) * ray(turn + opening)};
+        const Vec2 corners[] = {centre, centre + between(0.1, 0.45) * ray(turn),
+                                centre + between(0.1, 0.45) * ray(turn + opening)};
         builder_.polygon(corners, island());
     }
 

@@ -55,8 +55,7 @@ int main(int count, char** words)
     std::list<Kernel::Point_2> seeds;
     if (isSquare) {
         addLoop(triangulation, {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}});
-    }
-    else {
+    } else {
         addLoop(triangulation, circle(2.0, size));
         addLoop(triangulation, circle(1.0, size));
         seeds.emplace_back(0.0, 0.0);

@@ -29,9 +29,11 @@ int main(int count, char** words)
     const mesher::PlanarTimes& s = result->seconds;
     const double seconds = s.sampling + s.enrichment + s.initialTriangulation + s.refinement;
     const auto triangles = static_cast<double>(result->counts.triangles);
-    std::cout << "{\"triangles\": " << result->counts.triangles << ", \"vertices\": " << result->counts.vertices
-              << ", \"seconds\": " << seconds << ", \"triangles_per_second\": " << triangles / seconds
-              << ", \"enrichment_share\": " << (s.sampling + s.enrichment) / seconds << ", \"bytes_per_triangle\": "
+    std::cout << "{\"triangles\": " << result->counts.triangles
+              << ", \"vertices\": " << result->counts.vertices << ", \"seconds\": " << seconds
+              << ", \"triangles_per_second\": " << triangles / seconds
+              << ", \"enrichment_share\": " << (s.sampling + s.enrichment) / seconds
+              << ", \"bytes_per_triangle\": "
               << static_cast<double>(result->triangulation.mesh().bytes()) / triangles << "}\n";
     return 0;
 }

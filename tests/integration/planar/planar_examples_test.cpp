@@ -9,7 +9,8 @@ namespace mesher {
 namespace {
 
 class PlanarExamples : public ::testing::TestWithParam<std::size_t>
-{};
+{
+};
 
 TEST_P(PlanarExamples, keepTheirPromises)
 {
@@ -27,7 +28,8 @@ TEST_P(PlanarExamples, keepTheirPromises)
               << " triangles, angles " << check.angles.smallest << " to " << check.angles.largest << '\n';
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PlanarExamples, ::testing::Range<std::size_t>(0, test::allPlanarExamples().size()),
+INSTANTIATE_TEST_SUITE_P(All, PlanarExamples,
+                         ::testing::Range<std::size_t>(0, test::allPlanarExamples().size()),
                          [](const auto& example) { return test::allPlanarExamples()[example.param].name; });
 
 }  // namespace

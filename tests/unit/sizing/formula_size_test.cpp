@@ -47,7 +47,8 @@ TEST(FormulaSize, wishesForNothingWhereItIsNotPositive)
 
 TEST(FormulaSize, refusesWhatIsNoFormula)
 {
-    for (const char* text : {"", "1 +", "(1", "1)", "foo(1)", "x y", "min(1)", "sqrt 2", "1..2", "2 $ 3", "import os"}) {
+    for (const char* text :
+         {"", "1 +", "(1", "1)", "foo(1)", "x y", "min(1)", "sqrt 2", "1..2", "2 $ 3", "import os"}) {
         EXPECT_FALSE(FormulaSize::parse(text).hasValue()) << text;
     }
     EXPECT_FALSE(FormulaSize::parse(std::string(2000, '(') + "1" + std::string(2000, ')')).hasValue());

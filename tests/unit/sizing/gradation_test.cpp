@@ -21,11 +21,13 @@ struct RandomGraph
     explicit RandomGraph(std::uint64_t seed)
     {
         Random random(seed);
-        for (std::uint32_t i = 1; i < nodes; ++i) edges.push_back({random.below(i), i, random.between(0.1, 2.0)});
+        for (std::uint32_t i = 1; i < nodes; ++i)
+            edges.push_back({random.below(i), i, random.between(0.1, 2.0)});
         for (int i = 0; i < 60; ++i) {
             edges.push_back({random.below(40), random.below(40), random.between(0.1, 2.0)});
         }
-        for (std::size_t i = 0; i < nodes; ++i) sizes.push_back(random.below(3) == 0 ? random.between(0.1, 3.0) : kInfinity);
+        for (std::size_t i = 0; i < nodes; ++i)
+            sizes.push_back(random.below(3) == 0 ? random.between(0.1, 3.0) : kInfinity);
     }
 };
 
@@ -50,7 +52,8 @@ TEST(Gradation, agreesWithRelaxationUntilNothingChanges)
         std::vector<double> sizes = graph.sizes;
         gradeSizes(GradationGraph::of(graph.nodes, graph.edges), grading, sizes);
         const std::vector<double> expected = relaxed(graph, grading);
-        for (std::size_t i = 0; i < sizes.size(); ++i) EXPECT_NEAR(sizes[i], expected[i], 1e-12) << "seed " << seed;
+        for (std::size_t i = 0; i < sizes.size(); ++i)
+            EXPECT_NEAR(sizes[i], expected[i], 1e-12) << "seed " << seed;
     }
 }
 

@@ -15,7 +15,10 @@
 namespace mesher {
 namespace {
 
-Vec3 drawPoint(Random& random) { return {random.between(-2.0, 2.0), random.between(-2.0, 2.0), random.between(-2.0, 2.0)}; }
+Vec3 drawPoint(Random& random)
+{
+    return {random.between(-2.0, 2.0), random.between(-2.0, 2.0), random.between(-2.0, 2.0)};
+}
 
 DistanceProfile profileOf(double size, double growth)
 {
@@ -85,9 +88,9 @@ TEST(AttractorSize, withoutAttractorsWishesForNothing)
 
 TEST(CombinedSize, takesTheSmallestBetweenFloorAndCap)
 {
-    const CombinedSize field({std::make_shared<UniformSize>(2.0),
-                              std::make_shared<BallSize>(Vec3{}, 0.0, profileOf(0.01, 1.0))},
-                             0.1, 1.5);
+    const CombinedSize field(
+        {std::make_shared<UniformSize>(2.0), std::make_shared<BallSize>(Vec3{}, 0.0, profileOf(0.01, 1.0))},
+        0.1, 1.5);
     EXPECT_DOUBLE_EQ(field.sizeAt({0.0, 0.0, 0.0}), 0.1);
     EXPECT_DOUBLE_EQ(field.sizeAt({1.0, 0.0, 0.0}), 1.01);
     EXPECT_DOUBLE_EQ(field.sizeAt({9.0, 0.0, 0.0}), 1.5);

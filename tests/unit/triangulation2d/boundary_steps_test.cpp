@@ -29,9 +29,11 @@ struct Steps
     Boundary boundary;
 
     Steps(PlanarCurveComplex made, double maxVariation)
-        : complex(std::move(made)), domain(*PlanarDomain::make(complex)),
+        : complex(std::move(made)),
+          domain(*PlanarDomain::make(complex)),
           boundary(*sampleCurves(domain, {maxVariation}))
-    {}
+    {
+    }
 
     [[nodiscard]] std::vector<SubcurveId> alive() const
     {
@@ -45,7 +47,8 @@ struct Steps
 
 TEST(CurveSampling, cutsACircleByItsTurning)
 {
-    for (const auto& [degrees, pieces] : {std::pair(90.0, 4u), std::pair(60.0, 6u), std::pair(30.0, 12u), std::pair(89.0, 5u)}) {
+    for (const auto& [degrees, pieces] :
+         {std::pair(90.0, 4u), std::pair(60.0, 6u), std::pair(30.0, 12u), std::pair(89.0, 5u)}) {
         PlanarBuilder builder;
         builder.circle({1.0, 2.0}, 3.0);
         const Steps steps(builder.build(), degrees);
@@ -76,8 +79,9 @@ TEST(CurveSampling, makesCornersInsideOfACurveVertices)
     const Steps steps(builder.build(), 90.0);
     ASSERT_EQ(steps.alive().size(), 4u);
     for (const Vec2 corner : corners) {
-        const bool isVertex = std::any_of(steps.boundary.vertices.begin(), steps.boundary.vertices.end(),
-                                          [&](const BoundaryVertex& v) { return v.position == corner && v.isCorner; });
+        const bool isVertex =
+            std::any_of(steps.boundary.vertices.begin(), steps.boundary.vertices.end(),
+                        [&](const BoundaryVertex& v) { return v.position == corner && v.isCorner; });
         EXPECT_TRUE(isVertex) << corner.x << ' ' << corner.y;
     }
 }

@@ -60,7 +60,8 @@ PlanarCurveComplex shuffled(const PlanarCurveComplex& complex, std::uint64_t see
 
 TEST(LengthScales, dependOnNoOrderOfTheInput)
 {
-    for (const PlanarCurveComplex& complex : {test::splineCavity(), test::smallAngleFan(), test::threeElementAirfoil()}) {
+    for (const PlanarCurveComplex& complex :
+         {test::splineCavity(), test::smallAngleFan(), test::threeElementAirfoil()}) {
         const ScaleByPlace expected = scalesOf(initialOf(complex));
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             EXPECT_EQ(scalesOf(initialOf(shuffled(complex, seed))), expected) << "seed " << seed;
@@ -83,8 +84,8 @@ TEST(LengthScales, areTheFeatureSizeOverRAndGraded)
         mesh.forEachTriangleAround(v, [&](EdgeLink opposite) {
             if (!result.triangulation.isMeshed(opposite.triangle())) return true;
             const VertexId w = mesh.edgeFrom(opposite);
-            EXPECT_LE(mesh.lengthScale(v),
-                      mesh.lengthScale(w) + length(mesh.position(w) - mesh.position(v)) / 2.0 * (1.0 + 1e-12));
+            EXPECT_LE(mesh.lengthScale(v), mesh.lengthScale(w) + length(mesh.position(w) - mesh.position(v)) /
+                                                                     2.0 * (1.0 + 1e-12));
             return true;
         });
     }

@@ -25,7 +25,14 @@ PlanarResult meshOf(const PlanarCurveComplex& complex, const PlanarOptions& opti
     RunContext context;
     auto result = triangulatePlanar(complex, options, context);
     EXPECT_TRUE(result.hasValue()) << (result ? "" : describe(result.error()));
-    if (!result) return PlanarResult{.triangulation = {.delaunay = Delaunay2d(), .boundary = {}, .smallAngles = {}, .subcurveOfEdge = {}}, .counts = {}, .seconds = {}, .refinement = {}};
+    if (!result)
+        return PlanarResult{.triangulation = {.delaunay = Delaunay2d(),
+                                              .boundary = {},
+                                              .smallAngles = {},
+                                              .subcurveOfEdge = {}},
+                            .counts = {},
+                            .seconds = {},
+                            .refinement = {}};
     const PlanarCheck check = checkPlanar(complex, *result, options);
     for (const std::string& violation : check.violations) ADD_FAILURE() << violation;
     return std::move(*result);
@@ -215,7 +222,8 @@ TEST(TriangulatePlanar, meshesEmbeddedCurvesAndPoints)
     const PccPointId p = builder.embed({3.0, 2.0}, 1);
     const PlanarResult result = meshOf(builder.build());
     const Triangulation2d& mesh = result.triangulation.mesh();
-    EXPECT_EQ(mesh.position(result.triangulation.boundary.vertices[BoundaryVertexId(p.value)].vertex), (Vec2{3.0, 2.0}));
+    EXPECT_EQ(mesh.position(result.triangulation.boundary.vertices[BoundaryVertexId(p.value)].vertex),
+              (Vec2{3.0, 2.0}));
 }
 
 TEST(TriangulatePlanar, refusesBadInput)
