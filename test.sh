@@ -6,6 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 presets=("$@")
 [[ ${#presets[@]} -gt 0 ]] || presets=(debug asan release)
 
+export LSAN_OPTIONS="suppressions=$PWD/tools/lsan_suppressions.txt:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
+
 tools/setup.sh
 failed=()
 for preset in "${presets[@]}"; do
