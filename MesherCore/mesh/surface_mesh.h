@@ -20,7 +20,8 @@ struct SurfaceSegment
 {
     std::array<NodeId, 2> node;
     BrepEdgeId edge;
-    std::array<double, 2> parameter{};  ///< of the ends on the edge; the end of a closed edge is the last of its part
+    std::array<double, 2>
+        parameter{};  ///< of the ends on the edge; the end of a closed edge is the last of its part
 
     [[nodiscard]] bool isAlive() const { return edge.isValid(); }
 };
