@@ -1,0 +1,119 @@
+#include "bindings/bindings.h"
+#include "bindings/python_error.h"
+#include "io/mesh_writer.h"
+#include "mesh/classified_mesh.h"
+#include "mesh/classified_mesh_hash.h"
+#include "mesh/mesh_check.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace mesher::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using SharedMesh = std::shared_ptr<ClassifiedMesh>;
+
+static_assert(sizeof(NodeId) == sizeof(std::uint32_t), "views show node ids as plain integers");
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "views show positions as rows of three numbers");
+
+/// A read-only view of `rows` x `columns` values that lie `stride` bytes apart; it keeps the mesh alive.
+template <class Value>
+py::array viewOf(const Value* first, std::size_t rows, std::size_t columns, std::size_t stride,
+                 const SharedMesh& mesh)
+{
+    const py::capsule owner(new SharedMesh(mesh), [](void* kept) { delete static_cast<SharedMesh*>(kept); });
+    py::array_t<Value> view({rows, columns}, {stride, sizeof(Value)}, first, owner);
+    view.attr("setflags")(py::arg("write") = false);
+    return view;
+}
+
+template <class Value>
+py::array columnOf(const Value* first, std::size_t rows, std::size_t stride, const SharedMesh& mesh)
+{
+    return viewOf(first, rows, 1, stride, mesh).attr("reshape")(rows);
+}
+
+py::array nodesOf(const SharedMesh& mesh)
+{
+    static const MeshNode none;
+    const MeshNode& first = mesh->nodes.empty() ? none : mesh->nodes[NodeId(0)];
+    return viewOf(&first.position.x, mesh->nodes.size(), 3, sizeof(MeshNode), mesh);
+}
+
+template <std::size_t N>
+py::array elementsOf(const std::vector<MeshElement<N>>& elements, const SharedMesh& mesh)
+{
+    static const MeshElement<N> none;
+    const MeshElement<N>& first = elements.empty() ? none : elements.front();
+    return viewOf(&first.node.front().value, elements.size(), N, sizeof(MeshElement<N>), mesh);
+}
+
+template <std::size_t N>
+py::array entitiesOf(const std::vector<MeshElement<N>>& elements, const SharedMesh& mesh)
+{
+    static const MeshElement<N> none;
+    const MeshElement<N>& first = elements.empty() ? none : elements.front();
+    return columnOf(&first.entity.index, elements.size(), sizeof(MeshElement<N>), mesh);
+}
+
+template <class Member>
+py::array nodeColumn(const SharedMesh& mesh, Member member)
+{
+    static const MeshNode none;
+    const MeshNode& first = mesh->nodes.empty() ? none : mesh->nodes[NodeId(0)];
+    return columnOf(&(first.entity.*member), mesh->nodes.size(), sizeof(MeshNode), mesh);
+}
+
+void writeTo(const SharedMesh& mesh, const std::filesystem::path& path, const std::string& format)
+{
+    const Result<void> written = [&] {
+        const py::gil_scoped_release released;
+        return writeMesh(*mesh, path, format);
+    }();
+    if (!written) raise("WriteError", written.error());
+}
+
+std::vector<std::string> problemsOf(const SharedMesh& mesh)
+{
+    const py::gil_scoped_release released;
+    return checkMesh(*mesh).problems();
+}
+
+}  // namespace
+
+void bindMesh(py::module_& module)
+{
+    py::class_<ClassifiedMesh, SharedMesh>(module, "Mesh", py::dynamic_attr())
+        .def_property_readonly("nodes", &nodesOf)
+        .def_property_readonly("node_dimension",
+                               [](const SharedMesh& mesh) { return nodeColumn(mesh, &EntityRef::dimension); })
+        .def_property_readonly("node_entity",
+                               [](const SharedMesh& mesh) { return nodeColumn(mesh, &EntityRef::index); })
+        .def_property_readonly("points", [](const SharedMesh& mesh) { return elementsOf(mesh->points, mesh); })
+        .def_property_readonly("lines", [](const SharedMesh& mesh) { return elementsOf(mesh->lines, mesh); })
+        .def_property_readonly("triangles",
+                               [](const SharedMesh& mesh) { return elementsOf(mesh->triangles, mesh); })
+        .def_property_readonly("tets", [](const SharedMesh& mesh) { return elementsOf(mesh->tets, mesh); })
+        .def_property_readonly("point_vertex",
+                               [](const SharedMesh& mesh) { return entitiesOf(mesh->points, mesh); })
+        .def_property_readonly("line_edge",
+                               [](const SharedMesh& mesh) { return entitiesOf(mesh->lines, mesh); })
+        .def_property_readonly("triangle_face",
+                               [](const SharedMesh& mesh) { return entitiesOf(mesh->triangles, mesh); })
+        .def_property_readonly("tet_solid",
+                               [](const SharedMesh& mesh) { return entitiesOf(mesh->tets, mesh); })
+        .def_property_readonly("unit", [](const SharedMesh& mesh) { return mesh->unit; })
+        .def_property_readonly("hash", [](const SharedMesh& mesh) { return classifiedMeshHash(*mesh); })
+        .def("check", &problemsOf)
+        .def("write", &writeTo, py::arg("path"), py::arg("format") = "");
+}
+
+}  // namespace mesher::python

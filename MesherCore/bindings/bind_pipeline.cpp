@@ -1,0 +1,80 @@
+#include "bindings/bindings.h"
+#include "bindings/python_options.h"
+#include "brep/occt/read_model.h"
+#include "pipeline/mesh_model.h"
+
+#include <pybind11/stl.h>
+
+#include <exception>
+#include <memory>
+#include <optional>
+
+namespace mesher::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// Hands progress to a Python function and listens to Ctrl+C meanwhile. What Python raises ends the run and is raised again
+/// behind it, since no exception may cross the mesher.
+class PythonProgress
+{
+public:
+    explicit PythonProgress(py::object callback) : callback_(std::move(callback)) {}
+
+    bool operator()(std::string_view stage, double fraction)
+    {
+        const py::gil_scoped_acquire acquired;
+        if (raised_) return false;
+        try {
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            if (callback_.is_none()) return true;
+            return !callback_(stage, fraction).is(py::bool_(false));
+        } catch (py::error_already_set&) {
+            raised_ = std::current_exception();
+            return false;
+        }
+    }
+    void raiseAgain() const
+    {
+        if (raised_) std::rethrow_exception(raised_);
+    }
+
+private:
+    py::object callback_;
+    std::exception_ptr raised_;
+};
+
+std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& read, const py::dict& named,
+                                                            py::object callback)
+{
+    const MeshOptions options = meshOptionsOf(named);
+    PythonProgress progress(std::move(callback));
+    RunSettings settings;
+    settings.threads = options.threads;
+    settings.progress = [&progress](std::string_view stage, double fraction) {
+        return progress(stage, fraction);
+    };
+    RunContext context(settings);
+    constexpr int kBoundaryOrder = 4;
+    MeshOutcome outcome;
+    std::string report;
+    {
+        const py::gil_scoped_release released;
+        outcome = meshModel(read.model, options, nullptr, kBoundaryOrder, context);
+        report = toJson(outcome.report);
+    }
+    progress.raiseAgain();
+    std::shared_ptr<ClassifiedMesh> mesh;
+    if (outcome.mesh) mesh = std::make_shared<ClassifiedMesh>(std::move(*outcome.mesh));
+    return {std::move(mesh), std::move(report)};
+}
+
+}  // namespace
+
+void bindPipeline(py::module_& module)
+{
+    module.def("run", &run, py::arg("model"), py::arg("options"), py::arg("progress") = py::none());
+}
+
+}  // namespace mesher::python

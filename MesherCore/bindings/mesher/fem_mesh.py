@@ -1,0 +1,54 @@
+"""Meshes as FreeCAD's FEM workbench holds them."""
+import os
+import tempfile
+
+import numpy
+
+from .model_argument import memory_directory
+
+_VTK_TRIANGLE, _VTK_TET = 5, 10
+
+
+def to_fem_mesh(mesh, lines=False):
+    """A Fem.FemMesh of the mesh with the groups Face1, Solid1 and so on (and Edge1 if `lines` are wanted, which some solvers'
+    writers take for beams). Nodes count from 1 in the mesh's order, and so do triangles, tetrahedra and lines in turn."""
+    import Fem
+
+    fem_mesh = Fem.FemMesh()
+    with tempfile.TemporaryDirectory(dir=memory_directory()) as directory:
+        path = os.path.join(directory, "mesh.vtk")
+        _write_legacy_vtk(mesh, path)
+        fem_mesh.read(path)
+    _add_groups(fem_mesh, mesh.triangle_face, "Face", "Face", 1)
+    _add_groups(fem_mesh, mesh.tet_solid, "Solid", "Volume", 1 + len(mesh.triangles))
+    if lines:
+        first = 1 + len(mesh.triangles) + len(mesh.tets)
+        # FreeCAD's reader knows no lines.
+        for number, nodes in enumerate((mesh.lines + 1).tolist(), first):
+            fem_mesh.addEdge(nodes, number)
+        _add_groups(fem_mesh, mesh.line_edge, "Edge", "Edge", first)
+    return fem_mesh
+
+
+def _write_legacy_vtk(mesh, path):
+    # FreeCAD keeps tetrahedra in the order of SMESH, whose first two corners are the other way round.
+    blocks = [(_VTK_TRIANGLE, mesh.triangles), (_VTK_TET, mesh.tets[:, [1, 0, 2, 3]])]
+    cells = [numpy.insert(nodes.astype("i4"), 0, nodes.shape[1], axis=1).ravel() for _, nodes in blocks]
+    kinds = [numpy.full(len(nodes), kind, "i4") for kind, nodes in blocks]
+    # Joining arrays gives them the machine's byte order; the file's is the other one.
+    cells, kinds = numpy.concatenate(cells).astype(">i4"), numpy.concatenate(kinds).astype(">i4")
+    with open(path, "wb") as file:
+        file.write(b"# vtk DataFile Version 3.0\nmesh\nBINARY\nDATASET UNSTRUCTURED_GRID\n")
+        file.write(b"POINTS %d double\n" % len(mesh.nodes))
+        file.write(mesh.nodes.astype(">f8").tobytes())
+        file.write(b"\nCELLS %d %d\n" % (len(kinds), len(cells)))
+        file.write(cells.tobytes())
+        file.write(b"\nCELL_TYPES %d\n" % len(kinds))
+        file.write(kinds.tobytes())
+        file.write(b"\n")
+
+
+def _add_groups(fem_mesh, owners, prefix, kind, first):
+    for owner in numpy.unique(owners).tolist():
+        group = fem_mesh.addGroup(f"{prefix}{owner + 1}", kind)
+        fem_mesh.addGroupElements(group, (numpy.flatnonzero(owners == owner) + first).tolist())
