@@ -30,6 +30,19 @@ function(mesher_layer name)
   endforeach()
 endfunction()
 
+# mesher_python_module(NAME OUTPUT name DIRECTORY … SOURCES … USES …): the folder MesherCore/NAME as an extension module
+# of Python, held to the layers like any other.
+function(mesher_python_module name)
+  cmake_parse_arguments(MODULE "" "OUTPUT;DIRECTORY" "SOURCES;USES" ${ARGN})
+  pybind11_add_module(mesher_${name} NO_EXTRAS ${MODULE_SOURCES})
+  target_link_libraries(mesher_${name} PRIVATE mesher_options)
+  target_compile_definitions(mesher_${name} PRIVATE MESHER_VERSION="${PROJECT_VERSION}")
+  foreach(used IN LISTS MODULE_USES)
+    target_link_libraries(mesher_${name} PRIVATE mesher_${used})
+  endforeach()
+  set_target_properties(mesher_${name} PROPERTIES OUTPUT_NAME ${MODULE_OUTPUT} LIBRARY_OUTPUT_DIRECTORY "${MODULE_DIRECTORY}")
+endfunction()
+
 # mesher_test(NAME SOURCES … USES …): a GoogleTest program whose cases are tests of CTest.
 function(mesher_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})

@@ -2,7 +2,7 @@
 """Holds the includes of the source to the layers that CMake declares.
 
 The architecture is written down once: MesherCore/CMakeLists.txt lists the layers from the lowest up, and
-mesher_layer(NAME … USES …) in each folder names the lower layers it may include. This script refuses
+mesher_layer(NAME … USES …), or mesher_python_module, in each folder names the lower layers it may include. This script refuses
   - a USES that names itself, a higher or an unknown layer, and a folder of sources that is no layer;
   - an include of a layer that is not in USES, of tests, or not written from MesherCore;
   - a foreign header in MesherCore, unless FOREIGN_HEADERS allows it there;
@@ -16,6 +16,7 @@ from pathlib import Path
 
 # Headers from outside the project, by folder of MesherCore; elsewhere the standard library only.
 FOREIGN_HEADERS = {
+    "bindings": re.compile(r"pybind11/.+\.h"),
     "base": re.compile(r"sys/mman\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
     "brep/occt": re.compile(r".+\.hxx"),
@@ -30,7 +31,7 @@ PEER_FOLDER = "tests/benchmarks/compare"
 GPL_HEADER = re.compile(r"tetgen\.h|gmsh\.h|CGAL/(Delaunay_|Constrained_|Regular_|Triangulation|Mesh|make_mesh|refine_mesh).*")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
-LAYER_CALL = re.compile(r"mesher_layer\s*\(([^)]*)\)")
+LAYER_CALL = re.compile(r"mesher_(?:layer|python_module)\s*\(([^)]*)\)")
 SUBDIRECTORY_CALL = re.compile(r"add_subdirectory\s*\(\s*([^\s)]+)")
 SOURCE_SUFFIXES = {".h", ".cpp"}
 

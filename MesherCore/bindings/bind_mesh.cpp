@@ -97,7 +97,8 @@ void bindMesh(py::module_& module)
                                [](const SharedMesh& mesh) { return nodeColumn(mesh, &EntityRef::dimension); })
         .def_property_readonly("node_entity",
                                [](const SharedMesh& mesh) { return nodeColumn(mesh, &EntityRef::index); })
-        .def_property_readonly("points", [](const SharedMesh& mesh) { return elementsOf(mesh->points, mesh); })
+        .def_property_readonly("points",
+                               [](const SharedMesh& mesh) { return elementsOf(mesh->points, mesh); })
         .def_property_readonly("lines", [](const SharedMesh& mesh) { return elementsOf(mesh->lines, mesh); })
         .def_property_readonly("triangles",
                                [](const SharedMesh& mesh) { return elementsOf(mesh->triangles, mesh); })

@@ -9,9 +9,10 @@ from .model_argument import memory_directory
 _VTK_TRIANGLE, _VTK_TET = 5, 10
 
 
-def to_fem_mesh(mesh, lines=False):
+def to_fem_mesh(mesh, lines=False, names=None):
     """A Fem.FemMesh of the mesh with the groups Face1, Solid1 and so on (and Edge1 if `lines` are wanted, which some solvers'
-    writers take for beams). Nodes count from 1 in the mesh's order, and so do triangles, tetrahedra and lines in turn."""
+    writers take for beams). Nodes count from 1 in the mesh's order, and so do triangles, tetrahedra and lines in turn.
+    `names` calls groups by other names: {"Face1": "Face6"}."""
     import Fem
 
     fem_mesh = Fem.FemMesh()
@@ -19,14 +20,14 @@ def to_fem_mesh(mesh, lines=False):
         path = os.path.join(directory, "mesh.vtk")
         _write_legacy_vtk(mesh, path)
         fem_mesh.read(path)
-    _add_groups(fem_mesh, mesh.triangle_face, "Face", "Face", 1)
-    _add_groups(fem_mesh, mesh.tet_solid, "Solid", "Volume", 1 + len(mesh.triangles))
+    _add_groups(fem_mesh, mesh.triangle_face, "Face", "Face", 1, names)
+    _add_groups(fem_mesh, mesh.tet_solid, "Solid", "Volume", 1 + len(mesh.triangles), names)
     if lines:
         first = 1 + len(mesh.triangles) + len(mesh.tets)
         # FreeCAD's reader knows no lines.
         for number, nodes in enumerate((mesh.lines + 1).tolist(), first):
             fem_mesh.addEdge(nodes, number)
-        _add_groups(fem_mesh, mesh.line_edge, "Edge", "Edge", first)
+        _add_groups(fem_mesh, mesh.line_edge, "Edge", "Edge", first, names)
     return fem_mesh
 
 
@@ -48,7 +49,8 @@ def _write_legacy_vtk(mesh, path):
         file.write(b"\n")
 
 
-def _add_groups(fem_mesh, owners, prefix, kind, first):
+def _add_groups(fem_mesh, owners, prefix, kind, first, names):
     for owner in numpy.unique(owners).tolist():
-        group = fem_mesh.addGroup(f"{prefix}{owner + 1}", kind)
+        name = f"{prefix}{owner + 1}"
+        group = fem_mesh.addGroup((names or {}).get(name, name), kind)
         fem_mesh.addGroupElements(group, (numpy.flatnonzero(owners == owner) + first).tolist())

@@ -1,0 +1,3 @@
+import FreeCAD
+
+FreeCAD.__unit_test__ += ["TestMesherApp"]

@@ -1,0 +1,74 @@
+"""The one place that makes mesh objects."""
+import FreeCAD
+
+from .objects.mesh import MesherMesh
+from .tools.mesh_tool import MeshTool
+
+_PROPERTY_OF_OPTION = {
+    "size": "CharacteristicLengthMax",
+    "min_size": "CharacteristicLengthMin",
+    "curvature": "MeshSizeFromCurvature",
+    "sag": "SurfaceDeviation",
+    "refinement": "Refinement",
+    "grading": "Grading",
+    "improve": "OptimizeStd",
+    "threads": "Threads",
+}
+
+
+def make_mesh(source, *, name="Mesh", progress=None, **options):
+    """Makes a mesh object in the document of `source`, meshes it and returns it.
+
+    `source` is a document object, one with the names of its faces (box, ["Face1", "Face6"]), a selection object of the GUI, or
+    a list with one of them. Options: size, min_size, curvature, sag, refinement, grading, improve, threads, dimension (2 or 3),
+    order (1 or 2). `progress(stage, fraction)` ends the run by returning False.
+
+    Raises what mesher.mesh raises; the document has no mesh object then.
+    """
+    obj = make_mesh_object(source, name=name, **options)
+    try:
+        tool = MeshTool(obj)
+        tool.fill_in(tool.run(progress))
+    except BaseException:
+        obj.Document.removeObject(obj.Name)
+        raise
+    return obj
+
+
+def make_mesh_object(source, *, name="Mesh", dimension=None, order=1, **options):
+    """The object alone, not meshed yet."""
+    unknown = sorted(set(options) - set(_PROPERTY_OF_OPTION))
+    if unknown:
+        raise TypeError(f"make_mesh() has no option '{unknown[0]}'")
+    part, names = _part_and_names(source)
+    obj = part.Document.addObject("Fem::FemMeshObjectPython", name)
+    MesherMesh(obj)
+    obj.Part = part
+    if names:
+        obj.References = [(part, tuple(names))]
+    if dimension is not None or names:
+        obj.ElementDimension = "3D" if dimension == 3 else "2D"
+    obj.ElementOrder = "2nd" if order == 2 else "1st"
+    for option, value in options.items():
+        if value is not None:
+            setattr(obj, _PROPERTY_OF_OPTION[option], value)
+    if FreeCAD.GuiUp:
+        from .viewproviders.view_mesh import ViewMesherMesh
+
+        ViewMesherMesh(obj.ViewObject)
+    return obj
+
+
+def _part_and_names(source):
+    if isinstance(source, list):
+        if len(source) != 1:
+            raise ValueError(f"one object is meshed at a time, not {len(source)}")
+        source = source[0]
+    if isinstance(source, tuple):
+        part, names = source
+        return part, list(names)
+    if hasattr(source, "SubElementNames"):
+        return source.Object, [name for name in source.SubElementNames if name.startswith("Face")]
+    if not hasattr(source, "Shape"):
+        raise TypeError(f"{getattr(source, 'Label', type(source).__name__)} has no shape that could be meshed")
+    return source, []

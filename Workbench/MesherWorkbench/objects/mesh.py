@@ -1,0 +1,65 @@
+"""The mesh object of a document. Properties are named as those of FEM's own mesh objects where they mean the same."""
+
+_DIMENSIONS = ["From Shape", "2D", "3D"]
+_ORDERS = ["1st", "2nd"]
+
+# type, name, group, what it means, default
+_PROPERTIES = (
+    ("App::PropertyLink", "Part", "FEM Mesh", "Object whose exact shape is meshed", None),
+    ("App::PropertyLinkSubList", "References", "FEM Mesh", "Faces to mesh; without any, the whole part", None),
+    ("App::PropertyLength", "CharacteristicLengthMax", "FEM Mesh", "Largest size of elements; 0 is no limit", 0.0),
+    ("App::PropertyLength", "CharacteristicLengthMin", "FEM Mesh", "Smallest size of elements; 0 is no limit", 0.0),
+    ("App::PropertyEnumeration", "ElementDimension", "FEM Mesh", "Faces or solids", _DIMENSIONS),
+    ("App::PropertyEnumeration", "ElementOrder", "FEM Mesh", "Order of the elements", _ORDERS),
+    ("App::PropertyInteger", "MeshSizeFromCurvature", "FEM Mesh", "Elements in a full turn; 0 is off", 0),
+    ("App::PropertyLength", "SurfaceDeviation", "FEM Mesh", "Largest distance of edges from the shape; 0 is off", 0.0),
+    ("App::PropertyFloat", "Refinement", "FEM Mesh", "R: boundary size is local feature size / R", 1.0),
+    ("App::PropertyFloat", "Grading", "FEM Mesh", "G: sizes grow by at most distance / G", 1.0),
+    ("App::PropertyBool", "OptimizeStd", "FEM Mesh", "Improve the mesh after it is refined", True),
+    ("App::PropertyInteger", "Threads", "FEM Mesh", "Threads to use; the mesh does not depend on them", 1),
+    ("App::PropertyLinkList", "MeshRegionList", "FEM Mesh", "Regions with sizes of their own", None),
+    ("App::PropertyString", "Report", "Result", "What the last run did, as JSON", ""),
+    ("App::PropertyInteger", "NodeCount", "Result", "Nodes of the mesh", 0),
+    ("App::PropertyInteger", "ElementCount", "Result", "Elements of highest dimension", 0),
+    ("App::PropertyFloat", "SmallestAngle", "Result", "Degrees; dihedral in solids", 0.0),
+    ("App::PropertyFloat", "LargestAngle", "Result", "Degrees; dihedral in solids", 0.0),
+)
+_RESULTS = ("Report", "NodeCount", "ElementCount", "SmallestAngle", "LargestAngle")
+
+
+class MesherMesh:
+    """Proxy of a Fem::FemMeshObjectPython."""
+
+    Type = "Mesher::Mesh"
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        add_properties(obj)
+
+    def onDocumentRestored(self, obj):
+        add_properties(obj)
+
+    def execute(self, obj):
+        # Meshing is asked for by a command, as with FEM's own mesh objects: a recompute must not take minutes.
+        pass
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    dumps = __getstate__
+    loads = __setstate__
+
+
+def add_properties(obj):
+    """Adds those that a new object, or one saved by an older version, has not."""
+    for kind, name, group, text, default in _PROPERTIES:
+        if name in obj.PropertiesList:
+            continue
+        obj.addProperty(kind, name, group, text)
+        if default is not None:
+            setattr(obj, name, default)
+    for name in _RESULTS:
+        obj.setEditorMode(name, 2 if name == "Report" else 1)
