@@ -1,0 +1,1 @@
+#include "surface_sampling/curve_chains.h"
