@@ -137,8 +137,8 @@ private:
 
     [[nodiscard]] std::optional<SegmentPlace> placeAt(SegmentId s, double t) const;
     [[nodiscard]] std::optional<SegmentPlace> equalVariationPlace(SegmentId s) const;
-    [[nodiscard]] std::optional<SegmentPlace> shellPlace(SegmentId s, CurveEnd nearEnd, AngleComplexId complex,
-                                                         double radius) const;
+    [[nodiscard]] std::optional<SegmentPlace> shellPlace(SegmentId s, CurveEnd nearEnd,
+                                                         AngleComplexId complex, double radius) const;
 
     const BrepModel* model_ = nullptr;
     IdVector<SegmentId, SurfaceSegment> segments_;

@@ -29,9 +29,9 @@ struct FaceBoundaryPiece
     SegmentId segment;
     std::uint32_t loop = 0;  ///< BrepFace::loops
     std::uint32_t coedge = 0;
-    std::array<NodeId, 2> node;         ///< in the direction of the loop: the face lies to the left
-    std::array<Vec2, 2> parameters;     ///< of this image of the segment
-    Vec2 shift;                         ///< what was added to the coedge's parameter curve, whole periods
+    std::array<NodeId, 2> node;      ///< in the direction of the loop: the face lies to the left
+    std::array<Vec2, 2> parameters;  ///< of this image of the segment
+    Vec2 shift;                      ///< what was added to the coedge's parameter curve, whole periods
 };
 
 /// A triangle mesh of one face between the given chains.
