@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,8 @@ struct InitialFaceMesh
 };
 
 /// Triangulates a face in its parameters, scaled so that they measure about as the surface does: the constrained Delaunay
-/// triangulation of the loops, refined by points inside until facets follow the surface.
+/// triangulation of the loops, refined by points inside until facets follow the surface. `taken` are edges of other faces,
+/// pairs in ascending order, which no free edge of this face may be.
 /// Guarantees   facets are counter-clockwise about du x dv, conforming through the nodes, also across a seam and around a
 ///              pole; their normals keep to the option at corners, at centres and in the middle of sides
 /// Refuses      loops that cross each other or themselves wherever the chains are fine, loops that enclose nothing: an Error
@@ -56,11 +58,10 @@ struct InitialFaceMesh
 /// Terminates   by the options' budgets and the chains' floors
 /// Reference    [gosselin] §3.3.2 for the purpose; here the topology comes from the face's loops, not from a restricted
 ///              Delaunay triangulation, so that it is right from the start
-[[nodiscard]] Result<InitialFaceMesh> triangulateFace(const BrepModel& model, BrepFaceId face,
-                                                      const CurveChains& chains,
-                                                      const IdVector<NodeId, MeshNode>& nodes,
-                                                      NodeId firstInteriorNode,
-                                                      const InitialFaceMeshOptions& options);
+[[nodiscard]] Result<InitialFaceMesh>
+triangulateFace(const BrepModel& model, BrepFaceId face, const CurveChains& chains,
+                const IdVector<NodeId, MeshNode>& nodes, NodeId firstInteriorNode,
+                const InitialFaceMeshOptions& options, std::span<const std::pair<NodeId, NodeId>> taken = {});
 
 /// `triangulateFace` that splits segments by itself as long as they are too coarse, and appends the interior nodes.
 /// For one face alone: neighbours that were meshed before a split are stale then.
@@ -68,6 +69,9 @@ struct InitialFaceMesh
                                                                 CurveChains& chains,
                                                                 IdVector<NodeId, MeshNode>& nodes,
                                                                 const InitialFaceMeshOptions& options);
+
+/// That a face could not be meshed although its segments were split that many times.
+[[nodiscard]] Error chainsTooCoarse(const BrepModel& model, BrepFaceId face, int rounds);
 
 /// The faces of a model that have a mesh, and the reasons why others have none.
 struct InitialSurfaceMesh
@@ -80,9 +84,15 @@ struct InitialSurfaceMesh
 
 /// Meshes all faces: in each round the faces whose chains changed propose splits, which are then made in the order of the
 /// segments, so that the result does not depend on the order of the faces.
-/// Guarantees   no two faces join the same two nodes by an edge that is no segment of both
+/// Guarantees   no two faces join the same two nodes by an edge that is no segment of both. Of a face that failed there are no
+///              facets
 [[nodiscard]] InitialSurfaceMesh initialSurfaceMesh(const BrepModel& model, CurveChains& chains,
                                                     IdVector<NodeId, MeshNode>& nodes,
                                                     const InitialFaceMeshOptions& options);
+
+/// Chains, nodes and facets as one mesh, facets in the order of the faces.
+[[nodiscard]] SurfaceMesh assembleSurfaceMesh(const CurveChains& chains,
+                                              const IdVector<NodeId, MeshNode>& nodes,
+                                              const InitialSurfaceMesh& initial);
 
 }  // namespace mesher
