@@ -20,6 +20,13 @@ std::optional<VertexId> insertFacePoint(const BrepFace& face, Vec2 uv, TriangleI
 
 Vec2 middleOf(const FacePoint& a, const FacePoint& b) { return 0.5 * (a.uv + b.uv); }
 
+Vec2 liftedMiddleOf(const FacePoint& a, const FacePoint& b)
+{
+    if (a.isPole == b.isPole) return middleOf(a, b);
+    const FacePoint &pole = a.isPole ? a : b, &other = a.isPole ? b : a;
+    return 0.5 * (parametersBeside(pole, other.uv) + other.uv);
+}
+
 Vec2 parametersBeside(const FacePoint& pole, Vec2 others)
 {
     return pole.isPoleAlongU ? Vec2{others.x, pole.uv.y} : Vec2{pole.uv.x, others.y};

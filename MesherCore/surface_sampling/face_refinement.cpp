@@ -98,7 +98,7 @@ private:
         };
         for (unsigned i = 0; i < 3; ++i) {
             const FacePoint &a = *p[nextCorner(i)], &b = *p[previousCorner(i)];
-            const Vec3 middle = normalAt(middleOf(a, b));
+            const Vec3 middle = normalAt(liftedMiddleOf(a, b));
             isSideBad = isSideBad || departs(p[i]->normal) || departs(middle);
             if (middle == Vec3{}) continue;
             if (a.normal != Vec3{}) departure.turn[i] += 1.0 - dot(a.normal, middle);
