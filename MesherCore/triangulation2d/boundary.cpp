@@ -1,7 +1,5 @@
 #include "triangulation2d/boundary.h"
 
-#include <cmath>
-
 namespace mesher {
 namespace {
 
@@ -109,7 +107,5 @@ std::optional<SplitPlace> splitPlace(const PlanarDomain& domain, const Boundary&
     }
     return equalVariationPlace(domain, boundary, s);
 }
-
-int firstShellExponent(double shortestEdge) { return std::ilogb(2.0 / 3.0 * shortestEdge); }
 
 }  // namespace mesher

@@ -109,7 +109,4 @@ private:
 [[nodiscard]] std::optional<SplitPlace> splitPlace(const PlanarDomain& domain, const Boundary& boundary,
                                                    SubcurveId s);
 
-/// Largest power of two not above two thirds of a length: the first shell.
-[[nodiscard]] int firstShellExponent(double shortestEdge);
-
 }  // namespace mesher

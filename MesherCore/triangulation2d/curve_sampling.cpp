@@ -1,9 +1,8 @@
 #include "triangulation2d/curve_sampling.h"
 
 #include "base/indexed_map.h"
+#include "brep/curve_cuts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -11,46 +10,8 @@ namespace mesher {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-// A quarter circle in floating point turns by a rounding error more than 90 degrees.
+// Of curves that should be straight.
 constexpr double kVariationSlack = 1e-9;
-
-/// A part of a curve between corners, and into how many subcurves it is cut.
-struct SmoothSpan
-{
-    Interval part;
-    double variation = 0.0;
-    int pieces = 1;
-};
-
-std::vector<SmoothSpan> smoothSpans(const TangentVariation& table, double maxVariation)
-{
-    std::vector<SmoothSpan> spans;
-    double start = table.part().first;
-    const auto add = [&](double end) {
-        SmoothSpan span{{start, end}, table.variation(start, end), 1};
-        span.pieces =
-            std::max(1, static_cast<int>(std::ceil(span.variation / maxVariation - kVariationSlack)));
-        spans.push_back(span);
-        start = end;
-    };
-    for (const CurveCorner& corner : table.corners()) add(corner.parameter);
-    add(table.part().last);
-    return spans;
-}
-
-void ensureThreePieces(std::vector<SmoothSpan>& spans)
-{
-    int total = 0;
-    for (const SmoothSpan& span : spans) total += span.pieces;
-    for (; total < 3; ++total) {
-        // The span whose pieces turn most; the first of equal ones.
-        const auto worst =
-            std::max_element(spans.begin(), spans.end(), [](const SmoothSpan& a, const SmoothSpan& b) {
-                return a.variation / a.pieces < b.variation / b.pieces;
-            });
-        ++worst->pieces;
-    }
-}
 
 class Sampler
 {
@@ -72,37 +33,22 @@ private:
     {
         const PccCurve& curve = domain_.curve(id);
         const TangentVariation& table = domain_.variation(id);
-        std::vector<SmoothSpan> spans = smoothSpans(table, maxVariation_);
-        if (curve.first == curve.last) ensureThreePieces(spans);
         BoundaryVertexId previous = pointVertices_[curve.first.value];
         double start = curve.part.first;
-        for (const SmoothSpan& span : spans) {
-            for (int piece = 1; piece <= span.pieces; ++piece) {
-                const bool isEnd = piece == span.pieces;
-                const double t = isEnd ? span.part.last : interiorParameter(table, span, piece);
-                if (!(start < t)) continue;
-                const BoundaryVertexId next = t == curve.part.last
-                                                  ? pointVertices_[curve.last.value]
-                                                  : boundary_.addSample(domain_.place(id, t), id, t, isEnd);
-                Subcurve subcurve;
-                subcurve.curve = id;
-                subcurve.part = {start, t};
-                subcurve.first = previous;
-                subcurve.last = next;
-                boundary_.addSubcurve(subcurve);
-                previous = next;
-                start = t;
-            }
+        for (const CurveCut& cut : cutByVariation(table, maxVariation_, curve.first == curve.last ? 3 : 1)) {
+            const double t = cut.parameter;
+            const BoundaryVertexId next =
+                t == curve.part.last ? pointVertices_[curve.last.value]
+                                     : boundary_.addSample(domain_.place(id, t), id, t, cut.isCorner);
+            Subcurve subcurve;
+            subcurve.curve = id;
+            subcurve.part = {start, t};
+            subcurve.first = previous;
+            subcurve.last = next;
+            boundary_.addSubcurve(subcurve);
+            previous = next;
+            start = t;
         }
-    }
-
-    static double interiorParameter(const TangentVariation& table, const SmoothSpan& span, int piece)
-    {
-        const double fraction = piece / static_cast<double>(span.pieces);
-        const double t = span.variation > 0.0
-                             ? table.parameterAtVariation(span.part.first, fraction * span.variation)
-                             : table.parameterAtLengthFraction(span.part.first, span.part.last, fraction);
-        return std::min(t, span.part.last);
     }
 
     /// Two subcurves between the same vertices would have one boundary edge: the one that turns more is split.

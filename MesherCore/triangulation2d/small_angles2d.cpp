@@ -1,5 +1,7 @@
 #include "triangulation2d/small_angles2d.h"
 
+#include "brep/curve_cuts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

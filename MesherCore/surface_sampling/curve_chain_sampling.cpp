@@ -1,0 +1,252 @@
+#include "base/indexed_map.h"
+#include "brep/curve_cuts.h"
+#include "surface_sampling/curve_chains.h"
+#include "surface_sampling/small_angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace mesher {
+
+namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+// Counts of pieces that are whole but for rounding.
+constexpr double kCountSlack = 1e-9;
+// Chords of curves that should be straight, radians.
+constexpr double kStraight = 1e-9;
+
+/// The wanted number of elements along a curve from one end, as a function of the share of its arc length.
+class ElementCount
+{
+public:
+    ElementCount(const TangentVariation& table, Interval part, const SizingField& sizes)
+        : table_(table), part_(part), total_(table.arcLength(part.first, part.last))
+    {
+        constexpr std::size_t kFewest = 16, kMost = 4096;
+        tabulate(sizes, kFewest);
+        const auto wanted = static_cast<std::size_t>(std::min(4.0 * sums_.back(), double(kMost)));
+        if (wanted > kFewest) tabulate(sizes, wanted);
+    }
+
+    [[nodiscard]] double total() const { return sums_.back(); }
+
+    /// The parameter up to which there are that many elements.
+    [[nodiscard]] double parameterAt(double count) const
+    {
+        const auto above = std::upper_bound(sums_.begin(), sums_.end(), count);
+        if (above == sums_.end()) return part_.last;
+        const auto i = static_cast<std::size_t>(above - sums_.begin());
+        const double step = sums_[i] - sums_[i - 1];
+        const double share = (static_cast<double>(i - 1) + (count - sums_[i - 1]) / step) /
+                             static_cast<double>(sums_.size() - 1);
+        return table_.parameterAtLengthFraction(part_.first, part_.last, share);
+    }
+
+private:
+    void tabulate(const SizingField& sizes, std::size_t steps)
+    {
+        const auto densityAt = [&](std::size_t i) {
+            const double share = static_cast<double>(i) / static_cast<double>(steps);
+            const double t = table_.parameterAtLengthFraction(part_.first, part_.last, share);
+            return total_ / (static_cast<double>(steps) * sizes.sizeAt(table_.curve().position(t)));
+        };
+        sums_.assign(1, 0.0);
+        double previous = densityAt(0);
+        for (std::size_t i = 1; i <= steps; ++i) {
+            const double next = densityAt(i);
+            sums_.push_back(sums_.back() + 0.5 * (previous + next));
+            previous = next;
+        }
+    }
+
+    const TangentVariation& table_;
+    Interval part_;
+    double total_;
+    std::vector<double> sums_;
+};
+
+}  // namespace
+
+/// Fills new chains: nodes of the vertices, then edge by edge.
+class CurveChainSampler
+{
+public:
+    CurveChainSampler(const BrepModel& model, const CurveChainOptions& options,
+                      IdVector<NodeId, MeshNode>& nodes)
+        : model_(model), options_(options), nodes_(nodes)
+    {
+    }
+
+    Result<CurveChains> run()
+    {
+        MESHER_PRECONDITION(nodes_.empty());
+        chains_.model_ = &model_;
+        for (std::uint32_t v = 0; v < model_.vertices.size(); ++v) {
+            nodes_.push_back({model_.vertices[BrepVertexId(v)].position, {0, v}, {}});
+        }
+        for (std::uint32_t e = 0; e < model_.edges.size(); ++e) {
+            if (auto sampled = sampleEdge(BrepEdgeId(e)); !sampled) return sampled.error();
+        }
+        if (auto separated = separateTwins(); !separated) return separated.error();
+        protectSmallAngles(chains_, nodes_);
+        return std::move(chains_);
+    }
+
+private:
+    Result<void> sampleEdge(BrepEdgeId id)
+    {
+        const BrepEdge& edge = model_.edges[id];
+        chains_.floors_.push_back(options_.floorInTolerances * edge.tolerance);
+        chains_.firstOf_.push_back(SegmentId());
+        if (edge.isDegenerate) {
+            chains_.variations_.push_back(std::nullopt);
+            return {};
+        }
+        chains_.variations_.push_back(std::optional<TangentVariation>(std::in_place, edge.curve, edge.part));
+        std::vector<double> parameters{edge.part.first};
+        for (const CurveCut& cut : cutsOf(id)) {
+            if (!addPieces(id, {parameters.back(), cut.parameter}, parameters)) return tooMany(id);
+        }
+        if (chains_.segments_.size() + parameters.size() > options_.maxSegments) return tooMany(id);
+        addChain(id, parameters);
+        return {};
+    }
+
+    /// By total variation; pieces below the floor are not made unless the edge is closed, which needs three.
+    [[nodiscard]] std::vector<CurveCut> cutsOf(BrepEdgeId id) const
+    {
+        const BrepEdge& edge = model_.edges[id];
+        const TangentVariation& table = *chains_.variations_[id];
+        const int least = edge.isClosed() ? 3 : 1;
+        double bound = options_.maxVariation * kRadiansPerDegree;
+        if (options_.segmentsPerTurn > 0.0)
+            bound = std::min(bound, 2.0 * std::numbers::pi / options_.segmentsPerTurn);
+        const double room = table.totalLength() / chains_.floors_[id];
+        if (table.totalVariation() > bound * room) {
+            const double most = std::max(static_cast<double>(least), std::floor(room));
+            bound = table.totalVariation() / most;
+        }
+        return cutByVariation(table, bound, least);
+    }
+
+    /// Appends the ends of pieces that keep to the wanted lengths and sag; false if they are too many.
+    bool addPieces(BrepEdgeId id, Interval part, std::vector<double>& parameters) const
+    {
+        const TangentVariation& table = *chains_.variations_[id];
+        const double arc = table.arcLength(part.first, part.last);
+        double pieces = 1.0;
+        if (options_.maxSag > 0.0)
+            pieces = std::sqrt(arc * table.variation(part.first, part.last) / (8.0 * options_.maxSag));
+        std::optional<ElementCount> elements;
+        if (options_.sizes != nullptr && arc > chains_.floors_[id])
+            elements.emplace(table, part, *options_.sizes);
+        const bool isSized = elements && elements->total() >= pieces;
+        if (isSized) pieces = elements->total();
+        const double wanted = std::clamp(std::ceil(pieces - kCountSlack), 1.0,
+                                         std::max(1.0, std::floor(arc / chains_.floors_[id])));
+        if (!(wanted < static_cast<double>(options_.maxSegments))) return false;
+        for (double i = 1.0; i < wanted; ++i) {
+            const double share = i / wanted;
+            const double t = isSized ? elements->parameterAt(share * elements->total())
+                                     : parameterAtTurningShare(table, part, share);
+            if (parameters.back() < t && t < part.last) parameters.push_back(t);
+        }
+        parameters.push_back(part.last);
+        return true;
+    }
+
+    static double parameterAtTurningShare(const TangentVariation& table, Interval part, double share)
+    {
+        const double turning = table.variation(part.first, part.last);
+        return turning > kStraight ? table.parameterAtVariation(part.first, share * turning)
+                                   : table.parameterAtLengthFraction(part.first, part.last, share);
+    }
+
+    void addChain(BrepEdgeId id, const std::vector<double>& parameters)
+    {
+        const BrepEdge& edge = model_.edges[id];
+        NodeId previous(edge.first.value);
+        SegmentId before;
+        for (std::size_t i = 1; i < parameters.size(); ++i) {
+            const double t = parameters[i];
+            const NodeId next = i + 1 == parameters.size()
+                                    ? NodeId(edge.last.value)
+                                    : nodes_.push_back({edge.curve->position(t), {1, id.value}, {t, 0.0}});
+            const SegmentId s = chains_.segments_.push_back({{previous, next}, id, {parameters[i - 1], t}});
+            CurveChains::Record record;
+            record.previous = before;
+            chains_.records_.push_back(record);
+            if (before.isValid()) {
+                chains_.records_[before].next = s;
+            } else {
+                chains_.firstOf_[id] = s;
+            }
+            before = s;
+            previous = next;
+            ++chains_.aliveCount_;
+        }
+    }
+
+    /// Two segments between the same nodes would be one edge of the mesh: the one that turns more is split.
+    Result<void> separateTwins()
+    {
+        IndexedMap<std::pair<NodeId, NodeId>, SegmentId> sides;
+        const std::size_t count = chains_.segments_.size();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const SegmentId s(i);
+            const auto key = unorderedPair(chains_.segments_[s].node[0], chains_.segments_[s].node[1]);
+            const auto [twin, isNew] = sides.insert(key, s);
+            if (isNew) continue;
+            const SegmentId other = *twin;
+            const bool splitsOther = turningOf(other) > turningOf(s);
+            const SegmentId bent = splitsOther ? other : s;
+            if (!(turningOf(bent) > kStraight) || !chains_.split(bent, nodes_)) return twinError(s, other);
+            if (splitsOther) *twin = s;
+        }
+        return {};
+    }
+
+    [[nodiscard]] double turningOf(SegmentId s) const
+    {
+        const SurfaceSegment& segment = chains_.segments_[s];
+        return chains_.variations_[segment.edge]->variation(segment.parameter[0], segment.parameter[1]);
+    }
+
+    [[nodiscard]] Error twinError(SegmentId a, SegmentId b) const
+    {
+        Error error;
+        error.code = ErrorCode::IntersectingConstraints;
+        error.entity = nameOf(chains_.segments_[a].edge) + " and " + nameOf(chains_.segments_[b].edge);
+        error.message = "two edges coincide";
+        error.point = nodes_[chains_.segments_[a].node[0]].position;
+        error.remedy = "sew the faces beside them, or remove one of them";
+        return error;
+    }
+
+    [[nodiscard]] Error tooMany(BrepEdgeId id) const
+    {
+        Error error;
+        error.code = ErrorCode::OutOfRange;
+        error.entity = nameOf(id);
+        error.message = "the curves need more than " + std::to_string(options_.maxSegments) + " segments";
+        error.point = model_.edges[id].curve->position(model_.edges[id].part.first);
+        error.remedy = "ask for larger sizes or a larger sag";
+        return error;
+    }
+
+    const BrepModel& model_;
+    const CurveChainOptions& options_;
+    IdVector<NodeId, MeshNode>& nodes_;
+    CurveChains chains_;
+};
+
+Result<CurveChains> sampleCurveChains(const BrepModel& model, const CurveChainOptions& options,
+                                      IdVector<NodeId, MeshNode>& nodes)
+{
+    return CurveChainSampler(model, options, nodes).run();
+}
+
+}  // namespace mesher

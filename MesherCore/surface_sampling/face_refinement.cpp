@@ -1,0 +1,192 @@
+#include "surface_sampling/face_refinement.h"
+
+#include "surface_sampling/face_points.h"
+#include "surface_sampling/face_seeds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace mesher {
+
+namespace {
+
+// Relative to the outline's size: no side below is split.
+constexpr double kFloorShare = 2e-4;
+// Sides along which the surface turns by less are straight, as 1 - cos.
+constexpr double kSlightTurn = 1e-4;
+
+struct QueuedTriangle
+{
+    TriangleId triangle;
+    std::uint16_t generation = 0;
+};
+
+/// How a lifted triangle departs from the surface.
+struct Departure
+{
+    bool isBad = false;
+    bool isInside = false;         ///< only the surface in the middle departs, the sides lie well
+    std::array<double, 3> turn{};  ///< of the surface along each side: sum of 1 - cos of the halves
+};
+
+class Follower
+{
+public:
+    Follower(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
+             const InitialFaceMeshOptions& options, FaceTriangulation& t)
+        : face_(face), outline_(outline), chains_(chains), options_(options), t_(t)
+    {
+        cosine_ = std::cos(options.maxNormalDeviation * std::numbers::pi / 180.0);
+        floor_ = std::max(kFloorShare * t.size, 10.0 * face.tolerance);
+    }
+
+    FaceRefinement run()
+    {
+        for (const Vec2 seed : seedsOf(face_)) {
+            if (insertFacePoint(face_, seed, hint_, t_)) ++result_.seeds;
+        }
+        for (std::uint32_t i = 0; i < t_.mesh().triangleSlots(); ++i) enqueue(TriangleId(i));
+        while (!queue_.empty()) {
+            const QueuedTriangle entry = queue_.back();
+            queue_.pop_back();
+            const Triangle2d& triangle = t_.mesh().triangle(entry.triangle);
+            if (!t_.mesh().isAlive(entry.triangle) || triangle.generation != entry.generation) continue;
+            if (result_.insertions >= options_.maxPointsPerFace) {
+                result_.isComplete = false;
+                break;
+            }
+            improve(entry.triangle);
+        }
+        std::sort(t_.tooCoarse.begin(), t_.tooCoarse.end());
+        t_.tooCoarse.erase(std::unique(t_.tooCoarse.begin(), t_.tooCoarse.end()), t_.tooCoarse.end());
+        return result_;
+    }
+
+private:
+    void enqueue(TriangleId t)
+    {
+        if (t_.mesh().isAlive(t) && t_.isInside(t)) queue_.push_back({t, t_.mesh().triangle(t).generation});
+    }
+
+    [[nodiscard]] const FacePoint& corner(TriangleId t, unsigned i) const
+    {
+        return t_.points[t_.mesh().triangle(t).v[i]];
+    }
+
+    /// Triangles with two corners in a pole or a node vanish in space.
+    [[nodiscard]] bool vanishes(TriangleId t) const
+    {
+        for (unsigned i = 0; i < 3; ++i) {
+            const FacePoint &a = corner(t, i), &b = corner(t, nextCorner(i));
+            if (a.isPole && b.isPole && a.node == b.node) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] Departure departureOf(TriangleId t) const
+    {
+        Departure departure;
+        const std::array<const FacePoint*, 3> p{&corner(t, 0), &corner(t, 1), &corner(t, 2)};
+        const Vec3 facet = cross(p[1]->position - p[0]->position, p[2]->position - p[0]->position);
+        const double limit = cosine_ * length(facet);
+        bool isSideBad = !(squaredLength(facet) > 0.0);
+        const auto departs = [&](const Vec3& normal) {
+            return dot(facet, normal) < limit && normal != Vec3{};
+        };
+        for (unsigned i = 0; i < 3; ++i) {
+            const FacePoint &a = *p[nextCorner(i)], &b = *p[previousCorner(i)];
+            const Vec3 middle = normalAt(middleOf(a, b));
+            isSideBad = isSideBad || departs(p[i]->normal) || departs(middle);
+            if (middle == Vec3{}) continue;
+            if (a.normal != Vec3{}) departure.turn[i] += 1.0 - dot(a.normal, middle);
+            if (b.normal != Vec3{}) departure.turn[i] += 1.0 - dot(b.normal, middle);
+        }
+        departure.isInside = !isSideBad && departs(normalAt(centreOf(t)));
+        departure.isBad = isSideBad || departure.isInside;
+        return departure;
+    }
+
+    [[nodiscard]] Vec3 normalAt(Vec2 uv) const
+    {
+        return FaceTriangulation::unitNormal(face_.surface->evaluate(uv));
+    }
+    [[nodiscard]] Vec2 centreOf(TriangleId t) const
+    {
+        return 1.0 / 3.0 * (corner(t, 0).uv + corner(t, 1).uv + corner(t, 2).uv);
+    }
+
+    void improve(TriangleId t)
+    {
+        if (vanishes(t)) return;
+        const Departure departure = departureOf(t);
+        if (!departure.isBad) return;
+        if (departure.isInside && insertAt(centreOf(t), t)) return;
+        std::array<unsigned, 3> sides{0, 1, 2};
+        const double most = *std::max_element(departure.turn.begin(), departure.turn.end());
+        std::stable_sort(sides.begin(), sides.end(), [&](unsigned a, unsigned b) {
+            return most > kSlightTurn ? departure.turn[a] > departure.turn[b]
+                                      : sideLength(t, a) > sideLength(t, b);
+        });
+        for (const unsigned side : sides) {
+            if (splitSide(EdgeLink(t, side))) return;
+        }
+        ++result_.givenUp;
+    }
+
+    [[nodiscard]] double sideLength(TriangleId t, unsigned i) const
+    {
+        return length(corner(t, nextCorner(i)).position - corner(t, previousCorner(i)).position);
+    }
+
+    /// Names the segment of an outline's piece, inserts the middle of any other side; false if neither can be.
+    bool splitSide(EdgeLink side)
+    {
+        if (sideLength(side.triangle(), side.edge()) < floor_) return false;
+        const VertexId a = t_.mesh().edgeFrom(side), b = t_.mesh().edgeTo(side);
+        if (!t_.mesh().isConstrained(side))
+            return insertAt(middleOf(t_.points[a], t_.points[b]), side.triangle());
+        const std::uint32_t* piece = t_.pieceOf.find(unorderedPair(a, b));
+        if (piece == nullptr || !outline_.pieces[*piece].segment.isValid()) return false;
+        const SegmentId segment = outline_.pieces[*piece].segment;
+        if (!chains_.splitPlace(segment)) return false;
+        t_.tooCoarse.push_back(segment);
+        return true;
+    }
+
+    bool insertAt(Vec2 uv, TriangleId hint)
+    {
+        const auto vertex = insertFacePoint(face_, uv, hint, t_);
+        if (!vertex) return false;
+        ++result_.insertions;
+        t_.mesh().forEachTriangleAround(*vertex, [&](EdgeLink link) {
+            enqueue(link.triangle());
+            return true;
+        });
+        return true;
+    }
+
+    const BrepFace& face_;
+    const FaceOutline& outline_;
+    const CurveChains& chains_;
+    const InitialFaceMeshOptions& options_;
+    FaceTriangulation& t_;
+    double cosine_ = 0.5;
+    double floor_ = 0.0;
+    TriangleId hint_;
+    std::vector<QueuedTriangle> queue_;
+    FaceRefinement result_;
+};
+
+}  // namespace
+
+FaceRefinement followSurface(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
+                             const InitialFaceMeshOptions& options, FaceTriangulation& t)
+{
+    if (face.surface->kind() == SurfaceKind::Plane) return {};
+    return Follower(face, outline, chains, options, t).run();
+}
+
+}  // namespace mesher

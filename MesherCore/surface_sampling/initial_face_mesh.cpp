@@ -1,0 +1,176 @@
+#include "surface_sampling/initial_face_mesh.h"
+
+#include "surface_sampling/face_outline.h"
+#include "surface_sampling/face_points.h"
+#include "surface_sampling/face_refinement.h"
+#include "surface_sampling/face_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace mesher {
+
+namespace {
+
+class FaceLifter
+{
+public:
+    FaceLifter(BrepFaceId id, const FaceTriangulation& t, NodeId firstInteriorNode)
+        : id_(id), t_(t), nodeOf_(t.mesh().vertexSlots())
+    {
+        mesh_.firstInteriorNode = firstInteriorNode;
+    }
+
+    Result<InitialFaceMesh> run(const FaceOutline& outline)
+    {
+        const Triangulation2d& mesh = t_.mesh();
+        for (std::uint32_t i = 0; i < mesh.triangleSlots(); ++i) {
+            const TriangleId t(i);
+            if (!mesh.isAlive(t) || !t_.isInside(t)) continue;
+            if (auto lifted = lift(mesh.triangle(t)); !lifted) return lifted.error();
+        }
+        for (const OutlinePiece& piece : outline.pieces) {
+            if (!piece.segment.isValid()) continue;
+            const OutlinePoint &from = outline.points[piece.from], &to = outline.points[piece.to];
+            mesh_.boundary.push_back({piece.segment,
+                                      piece.loop,
+                                      piece.coedge,
+                                      {from.node, to.node},
+                                      {from.uv, to.uv},
+                                      piece.shift});
+        }
+        return std::move(mesh_);
+    }
+
+private:
+    NodeId nodeOf(VertexId v)
+    {
+        const FacePoint& point = t_.points[v];
+        if (point.node.isValid()) return point.node;
+        NodeId& node = nodeOf_[v];
+        if (!node.isValid()) {
+            node = NodeId(mesh_.firstInteriorNode.value +
+                          static_cast<std::uint32_t>(mesh_.interiorNodes.size()));
+            mesh_.interiorNodes.push_back({point.position, {2, id_.value}, point.uv});
+        }
+        return node;
+    }
+
+    Result<void> lift(const Triangle2d& triangle)
+    {
+        SurfaceFacet facet;
+        facet.face = id_;
+        std::array<const FacePoint*, 3> p{};
+        for (unsigned i = 0; i < 3; ++i) p[i] = &t_.points[triangle.v[i]];
+        int poles = 0;
+        for (const FacePoint* point : p) poles += point->isPole ? 1 : 0;
+        // Between two images of a pole there is nothing in space.
+        if (poles >= 2 && samePole(p)) return {};
+        for (unsigned i = 0; i < 3; ++i) {
+            facet.node[i] = nodeOf(triangle.v[i]);
+            const FacePoint &a = *p[nextCorner(i)], &b = *p[previousCorner(i)];
+            facet.parameters[i] = p[i]->isPole ? parametersBeside(*p[i], middleOf(a, b)) : p[i]->uv;
+        }
+        const Vec3 normal = cross(p[1]->position - p[0]->position, p[2]->position - p[0]->position);
+        bool isSound = squaredLength(normal) > 0.0;
+        for (const FacePoint* point : p)
+            isSound = isSound && (point->normal == Vec3{} || dot(normal, point->normal) > 0.0);
+        if (!isSound) return folded(*p[0]);
+        mesh_.facets.push_back(facet);
+        return {};
+    }
+
+    static bool samePole(const std::array<const FacePoint*, 3>& p)
+    {
+        for (unsigned i = 0; i < 3; ++i) {
+            const FacePoint &a = *p[nextCorner(i)], &b = *p[previousCorner(i)];
+            if (a.isPole && b.isPole && a.node == b.node) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] Error folded(const FacePoint& point) const
+    {
+        Error error;
+        error.code = ErrorCode::DegenerateInput;
+        error.entity = nameOf(id_);
+        error.message = "its facets fold over where the surface folds or its edges lie too close";
+        error.point = point.position;
+        error.remedy = "repair the face there, or lower its tolerance";
+        return error;
+    }
+
+    BrepFaceId id_;
+    const FaceTriangulation& t_;
+    IdVector<VertexId, NodeId> nodeOf_;
+    InitialFaceMesh mesh_;
+};
+
+Error tooManyPoints(BrepFaceId face, const FaceTriangulation& t, std::size_t points)
+{
+    Error error;
+    error.code = ErrorCode::OutOfRange;
+    error.entity = nameOf(face);
+    error.message = "its facets do not follow the surface with " + std::to_string(points) + " points";
+    error.point = t.points[VertexId(0)].position;
+    error.remedy = "smooth the surface or split the face";
+    return error;
+}
+
+}  // namespace
+
+Result<InitialFaceMesh> triangulateFace(const BrepModel& model, BrepFaceId face, const CurveChains& chains,
+                                        const IdVector<NodeId, MeshNode>& nodes, NodeId firstInteriorNode,
+                                        const InitialFaceMeshOptions& options,
+                                        std::span<const std::pair<NodeId, NodeId>> taken)
+{
+    const auto outline = outlineOf(model, face, chains, nodes);
+    if (!outline) return outline.error();
+    auto triangulation = triangulateOutline(model, face, chains, nodes, *outline);
+    if (!triangulation) return triangulation.error();
+    InitialFaceMesh coarse;
+    if (triangulation->tooCoarse.empty()) {
+        const auto refined = followSurface(model.faces[face], *outline, chains, options, *triangulation);
+        if (!refined.isComplete) return tooManyPoints(face, *triangulation, options.maxPointsPerFace);
+    }
+    coarse.tooCoarse = std::move(triangulation->tooCoarse);
+    if (!coarse.tooCoarse.empty()) return coarse;
+    separateSides(model.faces[face], *outline, taken, *triangulation);
+    return FaceLifter(face, *triangulation, firstInteriorNode).run(*outline);
+}
+
+Result<std::vector<SurfaceFacet>> initialFaceMesh(const BrepModel& model, BrepFaceId face,
+                                                  CurveChains& chains, IdVector<NodeId, MeshNode>& nodes,
+                                                  const InitialFaceMeshOptions& options)
+{
+    for (int round = 0; round < options.maxRounds; ++round) {
+        const NodeId first(static_cast<std::uint32_t>(nodes.size()));
+        auto mesh = triangulateFace(model, face, chains, nodes, first, options);
+        if (!mesh) return mesh.error();
+        if (mesh->tooCoarse.empty()) {
+            for (const MeshNode& node : mesh->interiorNodes) nodes.push_back(node);
+            return std::move(mesh->facets);
+        }
+        for (const SegmentId s : mesh->tooCoarse) {
+            if (chains.isAlive(s)) chains.split(s, nodes);
+        }
+    }
+    return chainsTooCoarse(model, face, options.maxRounds);
+}
+
+Error chainsTooCoarse(const BrepModel& model, BrepFaceId face, int rounds)
+{
+    Error error;
+    error.code = ErrorCode::DegenerateInput;
+    error.entity = nameOf(face);
+    error.message = "its edges are too close to each other to be told apart in " + std::to_string(rounds) +
+                    " rounds of splits";
+    error.point = model.faces[face].surface->position(
+        {model.faces[face].boundsU.at(0.5), model.faces[face].boundsV.at(0.5)});
+    error.remedy = "repair the face, or merge its small edges";
+    return error;
+}
+
+}  // namespace mesher

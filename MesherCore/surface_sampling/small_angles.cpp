@@ -1,0 +1,214 @@
+#include "surface_sampling/small_angles.h"
+
+#include "brep/curve_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace mesher {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+// Corners of boxes have angles of 90 degrees up to rounding, which are not small.
+constexpr double kAngleSlack = 1e-6;
+// Shells are made that much smaller, as exponents of two, before an apex is left unprotected.
+constexpr int kShellTries = 12;
+
+/// The last segment of an edge at a vertex.
+struct EdgeEnd
+{
+    SegmentId segment;
+    CurveEnd end = CurveEnd::First;
+    Vec3 direction;  ///< away from the vertex, of length 1
+};
+
+}  // namespace
+
+class SmallAngleProtection
+{
+public:
+    SmallAngleProtection(CurveChains& chains, IdVector<NodeId, MeshNode>& nodes)
+        : chains_(chains), model_(*chains.model_), nodes_(nodes)
+    {
+    }
+
+    void run()
+    {
+        std::vector<std::vector<EdgeEnd>> endsOf(model_.vertices.size());
+        for (std::uint32_t e = 0; e < model_.edges.size(); ++e) collectEnds(BrepEdgeId(e), endsOf);
+        for (std::uint32_t v = 0; v < endsOf.size(); ++v) findComplexes(BrepVertexId(v), endsOf[v]);
+        enrolments_.resize(chains_.segments_.size());
+        splitBetweenApexes();
+        cutAtShells();
+    }
+
+private:
+    struct Enrolment
+    {
+        AngleComplexId first;
+        AngleComplexId last;
+
+        [[nodiscard]] AngleComplexId only() const { return first.isValid() ? first : last; }
+    };
+
+    void collectEnds(BrepEdgeId id, std::vector<std::vector<EdgeEnd>>& endsOf) const
+    {
+        const std::vector<SegmentId> chain = chains_.chainOf(id);
+        if (chain.empty()) return;
+        const BrepEdge& edge = model_.edges[id];
+        endsOf[edge.first.value].push_back(
+            {chain.front(), CurveEnd::First, directionAt(id, CurveEnd::First)});
+        endsOf[edge.last.value].push_back({chain.back(), CurveEnd::Last, directionAt(id, CurveEnd::Last)});
+    }
+
+    /// The tangent into the edge, or the direction of a short chord where the derivative vanishes.
+    [[nodiscard]] Vec3 directionAt(BrepEdgeId id, CurveEnd end) const
+    {
+        constexpr double kShortChord = 1e-3, kSmallSpeed = 1e-6;
+        const BrepEdge& edge = model_.edges[id];
+        const TangentVariation& table = *chains_.variations_[id];
+        const bool isFirst = end == CurveEnd::First;
+        const double t = isFirst ? edge.part.first : edge.part.last;
+        Vec3 direction = (isFirst ? 1.0 : -1.0) * edge.curve->evaluate(t).d1;
+        if (!(length(direction) * edge.part.length() > kSmallSpeed * table.totalLength())) {
+            const double share = isFirst ? kShortChord : 1.0 - kShortChord;
+            const double inside = table.parameterAtLengthFraction(edge.part.first, edge.part.last, share);
+            direction = edge.curve->position(inside) - edge.curve->position(t);
+        }
+        const double size = length(direction);
+        return size > 0.0 ? 1.0 / size * direction : Vec3{};
+    }
+
+    static double angleBetween(const EdgeEnd& a, const EdgeEnd& b)
+    {
+        return std::atan2(length(cross(a.direction, b.direction)), dot(a.direction, b.direction)) *
+               kDegreesPerRadian;
+    }
+
+    /// Groups the ends that pairs of small angles connect.
+    void findComplexes(BrepVertexId apex, const std::vector<EdgeEnd>& ends)
+    {
+        std::vector<std::size_t> group(ends.size());
+        for (std::size_t i = 0; i < ends.size(); ++i) group[i] = i;
+        std::vector<double> smallest(ends.size(), CurveChains::kSmallAngleLimit);
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            for (std::size_t j = i + 1; j < ends.size(); ++j) {
+                const double angle = angleBetween(ends[i], ends[j]);
+                if (!(angle < CurveChains::kSmallAngleLimit - kAngleSlack)) continue;
+                const std::size_t low = std::min(group[i], group[j]), high = std::max(group[i], group[j]);
+                smallest[low] = std::min({smallest[low], smallest[high], angle});
+                std::replace(group.begin(), group.end(), high, low);
+            }
+        }
+        for (std::size_t leader = 0; leader < ends.size(); ++leader) {
+            if (smallest[leader] >= CurveChains::kSmallAngleLimit || group[leader] != leader) continue;
+            const AngleComplexId complex = chains_.smallAngles_.push_back({apex, {}, smallest[leader], 0});
+            for (std::size_t i = leader; i < ends.size(); ++i) {
+                if (group[i] == leader) enrol(ends[i], complex);
+            }
+        }
+    }
+
+    void enrol(const EdgeEnd& end, AngleComplexId complex)
+    {
+        chains_.smallAngles_[complex].edges.push_back(chains_.segments_[end.segment].edge);
+        enrolments_.resize(chains_.segments_.size());
+        Enrolment& enrolment = enrolments_[end.segment];
+        (end.end == CurveEnd::First ? enrolment.first : enrolment.last) = complex;
+    }
+
+    /// A segment between two apexes is split at its ordinary place; either half then has one.
+    void splitBetweenApexes()
+    {
+        const std::size_t count = enrolments_.size();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Enrolment whole = enrolments_[SegmentId(i)];
+            if (!whole.first.isValid() || !whole.last.isValid()) continue;
+            const auto halves = chains_.split(SegmentId(i), nodes_);
+            enrolments_.resize(chains_.segments_.size());
+            enrolments_[SegmentId(i)] = {};
+            if (!halves) {
+                chains_.unprotected_ += 2;
+                continue;
+            }
+            enrolments_[halves->halves[0]].first = whole.first;
+            enrolments_[halves->halves[1]].last = whole.last;
+        }
+    }
+
+    [[nodiscard]] double chordOf(SegmentId s) const
+    {
+        const SurfaceSegment& segment = chains_.segments_[s];
+        return length(nodes_[segment.node[1]].position - nodes_[segment.node[0]].position);
+    }
+
+    void cutAtShells()
+    {
+        IdVector<AngleComplexId, std::vector<SegmentId>> members(chains_.smallAngles_.size());
+        for (std::uint32_t i = 0; i < enrolments_.size(); ++i) {
+            const AngleComplexId complex = enrolments_[SegmentId(i)].only();
+            if (complex.isValid()) members[complex].push_back(SegmentId(i));
+        }
+        for (std::uint32_t i = 0; i < members.size(); ++i)
+            cutAtShell(AngleComplexId(i), members[AngleComplexId(i)]);
+    }
+
+    [[nodiscard]] CurveEnd nearEndOf(SegmentId s) const
+    {
+        return enrolments_[s].first.isValid() ? CurveEnd::First : CurveEnd::Last;
+    }
+
+    /// The largest shell that all members reach with growing distance; members that reach none stay as they are.
+    void cutAtShell(AngleComplexId id, const std::vector<SegmentId>& members)
+    {
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const SegmentId s : members) shortest = std::min(shortest, chordOf(s));
+        if (!(shortest > 0.0)) {
+            chains_.unprotected_ += members.size();
+            return;
+        }
+        const int largest = firstShellExponent(shortest);
+        int exponent = largest;
+        const auto reaches = [&](SegmentId s) {
+            return chains_.shellPlace(s, nearEndOf(s), id, std::ldexp(1.0, exponent)).has_value();
+        };
+        while (exponent > largest - kShellTries && !std::all_of(members.begin(), members.end(), reaches))
+            --exponent;
+        if (exponent == largest - kShellTries) exponent = largest;
+        chains_.smallAngles_[id].firstShell = exponent;
+        for (const SegmentId s : members) cutMember(id, s, std::ldexp(1.0, exponent));
+    }
+
+    void cutMember(AngleComplexId id, SegmentId s, double radius)
+    {
+        const CurveEnd end = nearEndOf(s);
+        const auto place = chains_.shellPlace(s, end, id, radius);
+        if (!place) {
+            ++chains_.unprotected_;
+            return;
+        }
+        CurveChains::Record& record = chains_.records_[s];
+        record.complex = id;
+        record.nearEnd = end;
+        record.nearRadius = 0.0;
+        const SegmentSplit halves = chains_.split(s, *place, nodes_);
+        // Beyond the first shell the curves go their own ways.
+        chains_.records_[halves.halves[end == CurveEnd::First ? 1 : 0]].complex = AngleComplexId();
+    }
+
+    CurveChains& chains_;
+    const BrepModel& model_;
+    IdVector<NodeId, MeshNode>& nodes_;
+    IdVector<SegmentId, Enrolment> enrolments_;
+};
+
+void protectSmallAngles(CurveChains& chains, IdVector<NodeId, MeshNode>& nodes)
+{
+    SmallAngleProtection(chains, nodes).run();
+}
+
+}  // namespace mesher
