@@ -1,33 +1,11 @@
 #include "surface_sampling/surface_refinement.h"
 
-#include "predicates/circumcenter.h"
-#include "surface_sampling/face_walk.h"
 #include "surface_sampling/facet_measures.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace mesher {
-namespace {
-
-/// Centres are taken whose surface looks away from the facet by no more than 60 degrees.
-constexpr double kLeastAgreement = 0.5;
-
-/// Where the circumcentre is in the parameters, if these were linear over the facet.
-Vec2 circumcentreParameters(const FaceTriangle& record, const FacetShape& shape)
-{
-    const auto& s = shape.squaredSide;
-    std::array<double, 3> weight{};
-    double sum = 0.0;
-    for (unsigned i = 0; i < 3; ++i) {
-        weight[i] = s[i] * (s[nextCorner(i)] + s[previousCorner(i)] - s[i]);
-        sum += weight[i];
-    }
-    return (1.0 / sum) * (weight[0] * record.uv[0] + weight[1] * record.uv[1] + weight[2] * record.uv[2]);
-}
-
-}  // namespace
 
 FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCounts& other)
 {
@@ -35,10 +13,10 @@ FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCount
     qualityInsertions += other.qualityInsertions;
     boundaryInsertions += other.boundaryInsertions;
     removals += other.removals;
-    projectedCentres += other.projectedCentres;
-    splitEdges += other.splitEdges;
-    lostWalks += other.lostWalks;
-    foldedStars += other.foldedStars;
+    splits.projectedCentres += other.splits.projectedCentres;
+    splits.splitEdges += other.splits.splitEdges;
+    splits.lostWalks += other.splits.lostWalks;
+    splits.foldedStars += other.splits.foldedStars;
     forcedStars += other.forcedStars;
     deferred += other.deferred;
     leftAtSmallAngles += other.leftAtSmallAngles;
@@ -51,12 +29,8 @@ FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const Fac
     : mesh_(mesh),
       geometry_(geometry),
       boundary_(boundary),
-      options_(options),
       criteria_(options.criteria),
-      encroachmentCosine_(options.encroachmentAngle == 90.0
-                              ? 0.0
-                              : std::cos(options.encroachmentAngle * std::numbers::pi / 180.0)),
-      star_(mesh, geometry),
+      splitter_(mesh, geometry, criteria_, options.splits),
       removal_(mesh, geometry)
 {
     for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {
@@ -64,6 +38,13 @@ FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const Fac
         vertex.size = criteria_.sizeAt(vertex.position, vertex.curvatureRadius);
         if (vertex.node.isValid()) vertexOf_.insert(vertex.node, VertexId(i));
     }
+}
+
+FaceRefinementCounts FaceRefiner::counts() const
+{
+    FaceRefinementCounts counts = counts_;
+    counts.splits = splitter_.counts();
+    return counts;
 }
 
 VertexId FaceRefiner::vertexOf(NodeId node) const
@@ -113,20 +94,12 @@ std::vector<SegmentId> FaceRefiner::takeProposals()
     return std::exchange(proposals_, {});
 }
 
-bool FaceRefiner::encroaches(const Vec3& point, const Vec3& a, const Vec3& b) const
-{
-    const double cosine = dot(a - point, b - point);
-    if (cosine >= 0.0) return false;
-    return encroachmentCosine_ == 0.0 ||
-           cosine < encroachmentCosine_ * std::sqrt(squaredLength(a - point) * squaredLength(b - point));
-}
-
 void FaceRefiner::proposeIfEncroached(EdgeLink side)
 {
     const SegmentId segment = mesh_.segment(side);
     if (!segment.isValid()) return;
     const VertexId apex = mesh_.apex(side);
-    if (encroaches(mesh_.position(apex), mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)))) {
+    if (splitter_.encroaches(mesh_.position(apex), mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)))) {
         propose(segment);
     }
 }
@@ -194,18 +167,23 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         ++counts_.leftAtSmallAngles;
         return;
     }
-    switch (attemptCentre(t)) {
-        case Attempt::Inserted:
-            ++(need == FacetNeed::Size ? counts_.sizeInsertions : counts_.qualityInsertions);
-            break;
-        case Attempt::Deferred:
-            ++counts_.deferred;
-            waiting_.push_back({t, mesh_.triangle(t).generation});
-            break;
-        case Attempt::Impossible:
-            mesh_.triangle(t).isLeft = true;
-            ++counts_.leftForResolution;
-            break;
+    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay);
+    if (status == FacetSplitStatus::Ready) {
+        splitter_.star().commit();
+        queueMade(splitter_.star().made());
+        ++(need == FacetNeed::Size ? counts_.sizeInsertions : counts_.qualityInsertions);
+        return;
+    }
+    bool isProposed = false;
+    if (status == FacetSplitStatus::Encroaches) {
+        for (const SegmentId segment : splitter_.encroached()) isProposed = propose(segment) || isProposed;
+    }
+    if (isProposed) {
+        ++counts_.deferred;
+        waiting_.push_back({t, mesh_.triangle(t).generation});
+    } else {
+        mesh_.triangle(t).isLeft = true;
+        ++counts_.leftForResolution;
     }
 }
 
@@ -217,107 +195,6 @@ bool FaceRefiner::isAtSmallAngle(TriangleId t) const
     const NodeId a = mesh_.vertex(record.v[nextCorner(shape.shortest)]).node;
     const NodeId b = mesh_.vertex(record.v[previousCorner(shape.shortest)]).node;
     return a.isValid() && b.isValid() && boundary_.spansSmallAngle(a, b);
-}
-
-// ---- a new vertex inside ---------------------------------------------------------------------------------------------
-
-FaceVertex FaceRefiner::freeVertex(const SurfaceFacts& facts) const
-{
-    FaceVertex vertex = FaceVertex::of(facts);
-    vertex.size = criteria_.sizeAt(facts.position, facts.curvatureRadius);
-    vertex.isFree = true;
-    return vertex;
-}
-
-std::optional<SurfaceFacts> FaceRefiner::findCentre(TriangleId t)
-{
-    const FaceTriangle& record = mesh_.triangle(t);
-    const Vec3 &a = mesh_.position(record.v[0]), &b = mesh_.position(record.v[1]),
-               &c = mesh_.position(record.v[2]);
-    const FacetShape shape = FacetShape::of(a, b, c);
-    const std::optional<Vec3> centre = approximateCircumcenter(a, b, c);
-    if (!centre || !std::isfinite(shape.squaredRadius)) return {};
-    const double radius = std::sqrt(shape.squaredRadius);
-    const Vec3 normal = cross(b - a, c - a);
-    const Vec3 unit = (1.0 / length(normal)) * normal;
-    const Vec2 seed = circumcentreParameters(record, shape);
-    const auto looksAway = [&](const SurfaceFacts& facts) {
-        return dot(facts.normal, unit) < kLeastAgreement;
-    };
-    if (const auto found = geometry_.ballCentre(*centre, unit, radius, seed);
-        found && !looksAway(found->facts)) {
-        return found->facts;
-    }
-    ++counts_.projectedCentres;
-    const Vec2 inside = (1.0 / 3.0) * (record.uv[0] + record.uv[1] + record.uv[2]);
-    const SurfaceFacts facts = geometry_.projected(*centre, inside);
-    if (squaredLength(facts.position - *centre) > shape.squaredRadius || looksAway(facts)) return {};
-    return facts;
-}
-
-FaceRefiner::Attempt FaceRefiner::attemptCentre(TriangleId t)
-{
-    const std::optional<SurfaceFacts> centre = findCentre(t);
-    if (!centre) return attemptLongestEdge(t);
-    const FaceWalk walk = walkToPoint(mesh_, geometry_, t, centre->position);
-    switch (walk.outcome) {
-        case FaceWalk::Outcome::Lost: ++counts_.lostWalks; return attemptLongestEdge(t);
-        case FaceWalk::Outcome::Blocked:
-            return propose(mesh_.segment(walk.side)) ? Attempt::Deferred : Attempt::Impossible;
-        case FaceWalk::Outcome::Inside: break;
-    }
-    star_.evaluateInside(walk.triangle, freeVertex(*centre), centre->parameters - walk.shift,
-                         StarExtent::Delaunay);
-    if (star_.isFolded()) return attemptLongestEdge(t);
-    return finish();
-}
-
-/// Where the surface bends too much for its facets, the middle of the longest edge is always near.
-FaceRefiner::Attempt FaceRefiner::attemptLongestEdge(TriangleId t)
-{
-    const FaceTriangle& record = mesh_.triangle(t);
-    const FacetShape shape =
-        FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
-    const EdgeLink side(t, shape.longest);
-    if (mesh_.segment(side).isValid()) {
-        return propose(mesh_.segment(side)) ? Attempt::Deferred : Attempt::Impossible;
-    }
-    ++counts_.splitEdges;
-    const unsigned i = nextCorner(side.edge()), k = previousCorner(side.edge());
-    const Vec3 middle = 0.5 * (mesh_.position(record.v[i]) + mesh_.position(record.v[k]));
-    const SurfaceFacts facts = geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]));
-    if (4.0 * squaredLength(facts.position - middle) > shape.squaredSide[shape.longest])
-        return Attempt::Impossible;
-    star_.evaluateOnSide(side, freeVertex(facts), facts.parameters, StarExtent::Delaunay, {});
-    if (star_.isFolded()) {
-        ++counts_.foldedStars;
-        return Attempt::Impossible;
-    }
-    return finish();
-}
-
-FaceRefiner::Attempt FaceRefiner::proposeEncroached()
-{
-    bool isEncroaching = false, isProposed = false;
-    const Vec3& point = star_.vertex().position;
-    for (const StarSide& side : star_.sides()) {
-        if (!side.segment.isValid()) continue;
-        if (!encroaches(point, mesh_.position(side.a), mesh_.position(side.b))) continue;
-        isEncroaching = true;
-        isProposed = propose(side.segment) || isProposed;
-    }
-    if (!isEncroaching) return Attempt::Inserted;
-    return isProposed ? Attempt::Deferred : Attempt::Impossible;
-}
-
-/// Makes the star, unless it encroaches on a segment or is too small.
-FaceRefiner::Attempt FaceRefiner::finish()
-{
-    if (const Attempt outcome = proposeEncroached(); outcome != Attempt::Inserted) return outcome;
-    if (star_.squaredSpokeLength() < options_.floor * options_.floor) return Attempt::Impossible;
-    star_.commit();
-    queueMade(star_.made());
-    return Attempt::Inserted;
 }
 
 // ---- segments --------------------------------------------------------------------------------------------------------
@@ -360,22 +237,23 @@ void FaceRefiner::insertOnSegment(const SegmentVertex& split)
     const double share = before + after > 0.0 ? before / (before + after) : 0.5;
     const Vec2 uvFrom = record.uv[nextCorner(side.edge())], uvTo = record.uv[previousCorner(side.edge())];
     const SurfaceFacts facts = geometry_.projected(split.position, uvFrom + share * (uvTo - uvFrom));
-    FaceVertex vertex = freeVertex(facts);
+    FaceVertex vertex = splitter_.vertexAt(facts);
     vertex.isFree = false;
     vertex.position = split.position;
     vertex.node = split.node;
     const bool isAlong = mesh_.vertex(from).node == split.ends[0];
     const std::array<SegmentId, 2> halves =
         isAlong ? split.halves : std::array<SegmentId, 2>{split.halves[1], split.halves[0]};
-    star_.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Delaunay, halves);
-    if (star_.isFolded()) {
+    FaceStar& star = splitter_.star();
+    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Delaunay, halves);
+    if (star.isFolded()) {
         ++counts_.forcedStars;
-        star_.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves);
+        star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves);
     }
-    const VertexId v = star_.commit();
+    const VertexId v = star.commit();
     vertexOf_.insert(split.node, v);
     ++counts_.boundaryInsertions;
-    queueMade(star_.made());
+    queueMade(star.made());
     proposeAround(v);
 }
 

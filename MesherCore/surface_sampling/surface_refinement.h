@@ -7,6 +7,7 @@
 #include "surface_sampling/face_replacement.h"
 #include "surface_sampling/face_star.h"
 #include "surface_sampling/facet_criteria.h"
+#include "surface_sampling/facet_split.h"
 
 #include <array>
 #include <cstddef>
@@ -30,11 +31,7 @@ public:
 struct FaceRefinementOptions
 {
     FacetCriteriaOptions criteria;
-    /// The least distance of a new vertex from others, model units.
-    double floor = 0.0;
-    /// A vertex that sees a segment under a larger angle encroaches on it, degrees: 90 is the diametral ball, 120 the lens of
-    /// [shewchuk2002].
-    double encroachmentAngle = 90.0;
+    FacetSplitOptions splits;
 };
 
 struct FaceRefinementCounts
@@ -43,14 +40,11 @@ struct FaceRefinementCounts
     std::size_t qualityInsertions = 0;
     std::size_t boundaryInsertions = 0;  ///< vertices put on segments
     std::size_t removals = 0;            ///< free vertices that gave way to a segment's split
-    std::size_t projectedCentres = 0;    ///< no surface ball was found: the circumcentre was projected
-    std::size_t splitEdges = 0;          ///< nor was that near: the longest edge was split
-    std::size_t lostWalks = 0;
-    std::size_t foldedStars = 0;        ///< new vertices that were not inserted for that reason
-    std::size_t forcedStars = 0;        ///< vertices on segments that had to be, for all that
-    std::size_t deferred = 0;           ///< segments had to be split first
-    std::size_t leftAtSmallAngles = 0;  ///< facets
-    std::size_t leftForResolution = 0;  ///< facets
+    std::size_t forcedStars = 0;         ///< vertices on segments beside which facets fold
+    std::size_t deferred = 0;            ///< facets that waited for segments to be split
+    std::size_t leftAtSmallAngles = 0;   ///< facets
+    std::size_t leftForResolution = 0;   ///< facets
+    FacetSplitCounts splits;
 
     FaceRefinementCounts& operator+=(const FaceRefinementCounts& other);
 };
@@ -91,18 +85,13 @@ public:
     /// To be called when facets that were given up may have become possible.
     void queueAll();
 
-    [[nodiscard]] const FaceRefinementCounts& counts() const { return counts_; }
+    [[nodiscard]] FaceRefinementCounts counts() const;
+    [[nodiscard]] FacetSplitter& splitter() { return splitter_; }
     [[nodiscard]] FaceMesh& mesh() { return mesh_; }
     /// The vertex of a node of the model's mesh.
     [[nodiscard]] VertexId vertexOf(NodeId node) const;
 
 private:
-    enum class Attempt
-    {
-        Inserted,
-        Deferred,
-        Impossible
-    };
     struct Waiting
     {
         TriangleId triangle;
@@ -114,13 +103,6 @@ private:
     bool propose(SegmentId segment);
     void processTriangle(TriangleId t, FacetNeed need);
     [[nodiscard]] bool isAtSmallAngle(TriangleId t) const;
-    [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);
-    Attempt attemptCentre(TriangleId t);
-    Attempt attemptLongestEdge(TriangleId t);
-    Attempt finish();
-    [[nodiscard]] FaceVertex freeVertex(const SurfaceFacts& facts) const;
-    [[nodiscard]] bool encroaches(const Vec3& point, const Vec3& a, const Vec3& b) const;
-    Attempt proposeEncroached();
     void proposeAround(VertexId v);
     void proposeIfEncroached(EdgeLink side);
     [[nodiscard]] EdgeLink sideOf(const SegmentVertex& split) const;
@@ -129,10 +111,8 @@ private:
     FaceMesh& mesh_;
     const FaceGeometry& geometry_;
     const FaceBoundary& boundary_;
-    FaceRefinementOptions options_;
     FacetCriteria criteria_;
-    double encroachmentCosine_;
-    FaceStar star_;
+    FacetSplitter splitter_;
     FaceVertexRemoval removal_;
     BucketQueue<TriangleId> sizeQueue_;
     BucketQueue<TriangleId> qualityQueue_;

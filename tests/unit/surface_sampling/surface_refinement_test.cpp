@@ -50,7 +50,7 @@ void expectSound(const Refined& refined)
     EXPECT_EQ(refined.check.components, 1u);
     EXPECT_EQ(refined.check.nonDelaunayEdges, 0u);
     EXPECT_LT(refined.check.largestDistance, 1e-12);
-    EXPECT_EQ(refined.counts.lostWalks + refined.counts.foldedStars, 0u);
+    EXPECT_EQ(refined.counts.splits.lostWalks + refined.counts.splits.foldedStars, 0u);
     EXPECT_EQ(refined.stopReason, StopReason::Done);
     EXPECT_EQ(refined.proposals, 0u) << "the boundary is frozen";
 }
