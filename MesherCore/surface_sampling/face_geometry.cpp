@@ -1,0 +1,138 @@
+#include "surface_sampling/face_geometry.h"
+
+#include <cmath>
+
+namespace mesher {
+namespace {
+
+/// A derivative that moves a point by less than this share of what the other one does, over the face, is that of a pole.
+constexpr double kPoleRatio = 1e-9;
+/// Where the normal at a pole is asked instead, as a share of the way to the middle of the face's parameters.
+constexpr double kBesidePole = 1e-4;
+
+double periodShift(double from, double to, double period)
+{
+    return period > 0.0 ? period * std::round((to - from) / period) : 0.0;
+}
+
+}  // namespace
+
+FaceGeometry::FaceGeometry(const BrepFace& face)
+    : surface_(face.surface->clone()),
+      periods_{surface_->periodU(), surface_->periodV()},
+      boundsU_(face.boundsU),
+      boundsV_(face.boundsV),
+      rangeU_(surface_->rangeU()),
+      rangeV_(surface_->rangeV()),
+      isPlane_(surface_->planeFrame().has_value())
+{
+}
+
+Vec2 FaceGeometry::shiftBetween(Vec2 near, Vec2 target) const
+{
+    return {periodShift(near.x, target.x, periods_.x), periodShift(near.y, target.y, periods_.y)};
+}
+
+bool FaceGeometry::isInRange(Vec2 uv) const
+{
+    return (periods_.x > 0.0 || rangeU_.contains(uv.x)) && (periods_.y > 0.0 || rangeV_.contains(uv.y));
+}
+
+SurfaceFacts FaceGeometry::factsOf(const SurfacePoint& point, Vec2 uv) const
+{
+    SurfaceFacts facts;
+    facts.parameters = uv;
+    facts.position = point.position;
+    const double u = squaredLength(point.du) * boundsU_.length() * boundsU_.length();
+    const double v = squaredLength(point.dv) * boundsV_.length() * boundsV_.length();
+    facts.isSingularU = u <= kPoleRatio * kPoleRatio * v;
+    facts.isSingularV = v <= kPoleRatio * kPoleRatio * u;
+    if (facts.isSingularU || facts.isSingularV) {
+        setFactsOfPole(facts);
+        return facts;
+    }
+    const Vec3 normal = point.normal();
+    const double size = length(normal);
+    if (!(size > 0.0)) return facts;
+    facts.normal = (1.0 / size) * normal;
+    if (isPlane_) return facts;
+    if (const std::optional<SurfaceCurvature> curvature = curvatureOf(point)) {
+        const double largest = std::abs(curvature->largest);
+        if (largest > 0.0) facts.curvatureRadius = 1.0 / largest;
+    }
+    return facts;
+}
+
+/// A pole has a normal if the normals beside it agree all around.
+void FaceGeometry::setFactsOfPole(SurfaceFacts& facts) const
+{
+    if (facts.isSingularU && facts.isSingularV) return;
+    constexpr int kDirections = 4;
+    constexpr double kAgreeing = 0.999;
+    Vec3 sum;
+    double radius = std::numeric_limits<double>::infinity();
+    std::array<Vec3, kDirections> normals;
+    for (int i = 0; i < kDirections; ++i) {
+        const double around = (i + 0.5) / kDirections;
+        Vec2 uv = facts.parameters;
+        if (facts.isSingularU) {
+            uv = {boundsU_.at(around), uv.y + kBesidePole * (boundsV_.at(0.5) - uv.y)};
+        } else {
+            uv = {uv.x + kBesidePole * (boundsU_.at(0.5) - uv.x), boundsV_.at(around)};
+        }
+        const SurfacePoint beside = surface_->evaluate(uv);
+        const Vec3 normal = beside.normal();
+        const double size = length(normal);
+        if (!(size > 0.0)) return;
+        normals[static_cast<std::size_t>(i)] = (1.0 / size) * normal;
+        sum = sum + normals[static_cast<std::size_t>(i)];
+        if (const auto curvature = curvatureOf(beside); curvature && curvature->largest != 0.0) {
+            radius = std::min(radius, 1.0 / std::abs(curvature->largest));
+        }
+    }
+    const double size = length(sum);
+    if (!(size > 0.0)) return;
+    const Vec3 mean = (1.0 / size) * sum;
+    for (const Vec3& normal : normals) {
+        if (dot(normal, mean) < kAgreeing) return;
+    }
+    facts.normal = mean;
+    facts.curvatureRadius = radius;
+}
+
+SurfaceFacts FaceGeometry::at(Vec2 uv) const { return factsOf(surface_->evaluate(uv), uv); }
+
+SurfaceFacts FaceGeometry::projected(const Vec3& point, Vec2 seed) const
+{
+    return at(surface_->project(point, seed).parameters);
+}
+
+std::optional<SurfaceBallCentre> FaceGeometry::ballCentre(const Vec3& circumcentre, const Vec3& unitNormal,
+                                                          double radius, Vec2 seed) const
+{
+    if (isPlane_) return SurfaceBallCentre{projected(circumcentre, seed), 0.0};
+    constexpr int kMostSteps = 6;
+    constexpr double kNearEnough = 0.01;
+    Vec2 uv = seed;
+    for (int step = 0; step <= kMostSteps; ++step) {
+        if (!isInRange(uv)) return {};
+        const SurfacePoint p = surface_->evaluate(uv);
+        const Vec3 away = p.position - circumcentre;
+        const double height = dot(away, unitNormal);
+        const Vec3 offAxis = away - height * unitNormal;
+        if (squaredLength(offAxis) <= kNearEnough * kNearEnough * radius * radius) {
+            if (std::abs(height) > radius) return {};
+            return SurfaceBallCentre{factsOf(p, uv), height};
+        }
+        // The plane of the facet's normal: two equations in the parameters, solved by Cramer's rule.
+        const double determinant = dot(cross(p.du, p.dv), unitNormal);
+        if (!(std::abs(determinant) > 0.0)) return {};
+        const Vec2 move{-dot(cross(offAxis, p.dv), unitNormal) / determinant,
+                        -dot(cross(p.du, offAxis), unitNormal) / determinant};
+        if (!isFinite(move)) return {};
+        uv = uv + move;
+    }
+    return {};
+}
+
+}  // namespace mesher

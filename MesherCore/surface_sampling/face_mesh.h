@@ -1,0 +1,157 @@
+#pragma once
+
+#include "base/id_vector.h"
+#include "base/ids.h"
+#include "base/indexed_map.h"
+#include "base/result.h"
+#include "base/vec.h"
+#include "delaunay/triangulation2d.h"
+#include "mesh/surface_mesh.h"
+#include "surface_sampling/face_geometry.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace mesher {
+
+/// A vertex of the mesh of one face.
+struct FaceVertex
+{
+    Vec3 position;
+    Vec3 normal;                                            ///< of the surface, unit; zero where it has none
+    double size = std::numeric_limits<double>::infinity();  ///< the edge length wanted here
+    double curvatureRadius = std::numeric_limits<double>::infinity();
+    TriangleId triangle;  ///< one of those around it
+    NodeId node;          ///< in the mesh of the model; invalid as long as only this face knows the vertex
+    bool isAlive = true;
+    bool isFree = false;  ///< not on an edge or vertex of the model: refinement made it and may remove it
+    bool isSingularU = false;
+    bool isSingularV = false;
+
+    [[nodiscard]] static FaceVertex of(const SurfaceFacts& facts);
+    [[nodiscard]] bool isPole() const { return isSingularU || isSingularV; }
+};
+
+/// Corners counter-clockwise about du x dv; side i lies opposite corner i and runs from corner i+1 to corner i+2.
+struct FaceTriangle
+{
+    std::array<VertexId, 3> v;
+    std::array<EdgeLink, 3> n;   ///< invalid where the face ends
+    std::array<SegmentId, 3> s;  ///< valid on a piece of an edge; a seam has it beside a valid link
+    std::array<Vec2, 3> uv;  ///< in one image of the face; meaningless in the singular direction of a pole
+    std::uint16_t generation = 0;
+    bool isAlive = true;
+    bool isLeft = false;  ///< refinement has given it up in this shape
+
+    [[nodiscard]] unsigned cornerOf(VertexId vertex) const
+    {
+        return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2);
+    }
+};
+
+/// The segments of the edges of one face, by their ends, the smaller id first.
+using SegmentsByEnds = IndexedMap<std::pair<NodeId, NodeId>, SegmentId>;
+
+/// The triangle mesh of one face: flat arrays and links. It knows incidences and what the surface told about its
+/// vertices; which triangles there are is decided by the algorithms beside it, face_mesh_check.h tells whether they are
+/// right.
+/// Across a seam, or wherever unwrapping has come to it, the parameters of two linked sides differ by whole periods.
+/// Reference   thesis §3.2, the restricted triangulation of one patch
+class FaceMesh
+{
+public:
+    /// From the facets of one face, that are a 2-manifold with boundary and name their nodes in `nodes`.
+    /// Refuses      a side that more than two facets use or that two use the same way, and one at the border that is no
+    ///              segment: IntersectingConstraints, with the face and the point
+    [[nodiscard]] static Result<FaceMesh> make(BrepFaceId face, const FaceGeometry& geometry,
+                                               std::span<const SurfaceFacet> facets,
+                                               const IdVector<NodeId, MeshNode>& nodes,
+                                               const SegmentsByEnds& segments);
+
+    [[nodiscard]] BrepFaceId face() const { return face_; }
+    [[nodiscard]] std::size_t vertexSlots() const { return vertices_.size(); }
+    [[nodiscard]] std::size_t triangleSlots() const { return triangles_.size(); }
+    [[nodiscard]] std::size_t vertexCount() const { return vertices_.size() - deadVertices_; }
+    [[nodiscard]] std::size_t triangleCount() const { return triangles_.size() - freeTriangles_.size(); }
+    [[nodiscard]] const FaceVertex& vertex(VertexId v) const { return vertices_[v]; }
+    [[nodiscard]] FaceVertex& vertex(VertexId v) { return vertices_[v]; }
+    [[nodiscard]] const FaceTriangle& triangle(TriangleId t) const { return triangles_[t]; }
+    [[nodiscard]] FaceTriangle& triangle(TriangleId t) { return triangles_[t]; }
+    [[nodiscard]] const Vec3& position(VertexId v) const { return vertices_[v].position; }
+
+    [[nodiscard]] VertexId from(EdgeLink side) const
+    {
+        return triangles_[side.triangle()].v[nextCorner(side.edge())];
+    }
+    [[nodiscard]] VertexId to(EdgeLink side) const
+    {
+        return triangles_[side.triangle()].v[previousCorner(side.edge())];
+    }
+    [[nodiscard]] VertexId apex(EdgeLink side) const { return triangles_[side.triangle()].v[side.edge()]; }
+    [[nodiscard]] EdgeLink across(EdgeLink side) const { return triangles_[side.triangle()].n[side.edge()]; }
+    [[nodiscard]] SegmentId segment(EdgeLink side) const
+    {
+        return triangles_[side.triangle()].s[side.edge()];
+    }
+
+    VertexId addVertex(const FaceVertex& vertex) { return vertices_.push_back(vertex); }
+    void removeVertex(VertexId v);
+    /// A free slot, or a new one, with the next generation; its content is to be written by the caller.
+    TriangleId allocateTriangle();
+    void freeTriangle(TriangleId t);
+    /// Writes corners, parameters and no links; a pole's undefined parameter becomes that between the other corners.
+    void writeTriangle(TriangleId t, const std::array<VertexId, 3>& v, const std::array<Vec2, 3>& uv);
+    /// Makes two sides the two sides of one edge; `b` may be invalid.
+    void link(EdgeLink a, EdgeLink b);
+
+    /// What to add to parameters behind the side to have them in the image of its own triangle.
+    [[nodiscard]] Vec2 shiftAcross(const FaceGeometry& geometry, EdgeLink side) const;
+    /// The side that runs from a to b, invalid if there is none. Costs the degree of a.
+    [[nodiscard]] EdgeLink findSide(VertexId a, VertexId b) const;
+    [[nodiscard]] bool areJoined(VertexId a, VertexId b) const
+    {
+        return findSide(a, b).isValid() || findSide(b, a).isValid();
+    }
+    /// Calls visit(EdgeLink) for each triangle around the vertex with the side opposite to it: counter-clockwise from
+    /// the border, where there is one.
+    template <class Visit>
+    void forEachTriangleAround(VertexId v, Visit&& visit) const;
+
+private:
+    BrepFaceId face_;
+    IdVector<VertexId, FaceVertex> vertices_;
+    IdVector<TriangleId, FaceTriangle> triangles_;
+    std::vector<TriangleId> freeTriangles_;
+    std::size_t deadVertices_ = 0;
+};
+
+template <class Visit>
+void FaceMesh::forEachTriangleAround(VertexId v, Visit&& visit) const
+{
+    const TriangleId start = vertices_[v].triangle;
+    // Clockwise to the border first; around an inner vertex this comes back to the start.
+    TriangleId first = start;
+    for (;;) {
+        const FaceTriangle& record = triangles_[first];
+        const EdgeLink link = record.n[previousCorner(record.cornerOf(v))];
+        if (!link.isValid()) break;
+        first = link.triangle();
+        if (first == start) break;
+    }
+    TriangleId t = first;
+    do {
+        const FaceTriangle& record = triangles_[t];
+        const unsigned corner = record.cornerOf(v);
+        visit(EdgeLink(t, corner));
+        const EdgeLink link = record.n[nextCorner(corner)];
+        if (!link.isValid()) return;
+        t = link.triangle();
+    } while (t != first);
+}
+
+}  // namespace mesher

@@ -1,0 +1,187 @@
+#include "surface_sampling/face_star.h"
+
+#include "surface_sampling/facet_measures.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mesher {
+namespace {
+
+/// New triangles may be off the surface's normals by 60 degrees, or as much as those they replace.
+constexpr double kLeastAgreement = 0.5;
+
+}  // namespace
+
+void FaceStar::begin(const FaceVertex& vertex, Vec2 uv, StarExtent extent)
+{
+    vertex_ = vertex;
+    uv_ = uv;
+    extent_ = extent;
+    isClosed_ = true;
+    cavity_.clear();
+    sides_.clear();
+    open_.clear();
+    spokes_ = {};
+}
+
+StarSide FaceStar::sideOf(TriangleId t, unsigned side, Vec2 shift) const
+{
+    const FaceTriangle& record = mesh_.triangle(t);
+    const unsigned from = nextCorner(side), to = previousCorner(side);
+    return {record.v[from],        record.v[to],   record.uv[from] + shift,
+            record.uv[to] + shift, record.n[side], record.s[side]};
+}
+
+void FaceStar::addTriangle(TriangleId t) { cavity_.push_back(t); }
+
+void FaceStar::evaluateInside(TriangleId t, const FaceVertex& vertex, Vec2 uv, StarExtent extent)
+{
+    begin(vertex, uv, extent);
+    addTriangle(t);
+    // All three sides first: what grows at one of them must know the corners of the others.
+    for (const unsigned side : {2u, 1u, 0u}) open_.push_back(sideOf(t, side, {}));
+    while (!open_.empty()) {
+        const StarSide side = open_.back();
+        open_.pop_back();
+        grow(side);
+    }
+}
+
+void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, StarExtent extent,
+                              const std::array<SegmentId, 2>& halves)
+{
+    begin(vertex, uv, extent);
+    const TriangleId t = side.triangle();
+    const EdgeLink other = mesh_.across(side);
+    addTriangle(t);
+    isClosed_ = other.isValid();
+    std::size_t fromOther = 0;
+    if (isClosed_) {
+        const TriangleId s = other.triangle();
+        const Vec2 shift = mesh_.shiftAcross(geometry_, side);
+        addTriangle(s);
+        open_.push_back(sideOf(s, previousCorner(other.edge()), shift));
+        open_.push_back(sideOf(s, nextCorner(other.edge()), shift));
+        fromOther = open_.size();
+    }
+    open_.push_back(sideOf(t, previousCorner(side.edge()), {}));
+    open_.push_back(sideOf(t, nextCorner(side.edge()), {}));
+    spokes_[0] = {0, halves[1]};
+    bool isOtherBegun = false;
+    while (!open_.empty()) {
+        if (!isOtherBegun && open_.size() <= fromOther) {
+            spokes_[1] = {sides_.size(), halves[0]};
+            isOtherBegun = true;
+        }
+        const StarSide next = open_.back();
+        open_.pop_back();
+        grow(next);
+    }
+    if (!isOtherBegun) spokes_[1] = {sides_.size(), halves[0]};
+}
+
+bool FaceStar::isOnPolygon(VertexId v) const
+{
+    const auto touches = [v](const StarSide& side) { return side.a == v || side.b == v; };
+    return std::any_of(sides_.begin(), sides_.end(), touches) ||
+           std::any_of(open_.begin(), open_.end(), touches);
+}
+
+bool FaceStar::isToBeRemoved(const StarSide& side) const
+{
+    if (extent_ == StarExtent::Least || side.segment.isValid() || !side.outer.isValid()) return false;
+    const VertexId apex = mesh_.apex(side.outer);
+    const FaceVertex& a = mesh_.vertex(side.a);
+    const FaceVertex& b = mesh_.vertex(side.b);
+    const FaceVertex& c = mesh_.vertex(apex);
+    if (oppositeAngleExcess(a.position, b.position, vertex_.position, c.position) <= kDelaunayTie)
+        return false;
+    if (isOnPolygon(apex)) return false;
+    const double after = std::min(normalAgreement(vertex_, a, c), normalAgreement(vertex_, c, b));
+    if (after >= kLeastAgreement) return true;
+    return after >= std::min(normalAgreement(vertex_, a, b), normalAgreement(b, a, c));
+}
+
+void FaceStar::grow(const StarSide& side)
+{
+    if (!isToBeRemoved(side)) {
+        sides_.push_back(side);
+        return;
+    }
+    const TriangleId t = side.outer.triangle();
+    const unsigned edge = side.outer.edge();
+    const FaceTriangle& record = mesh_.triangle(t);
+    // The image of the new triangle is that of the side: by the corner that is no pole.
+    const unsigned a = previousCorner(edge), b = nextCorner(edge);
+    const Vec2 shift = mesh_.vertex(record.v[a]).isPole() ? geometry_.shiftBetween(record.uv[b], side.uvB)
+                                                          : geometry_.shiftBetween(record.uv[a], side.uvA);
+    addTriangle(t);
+    // From a over the apex to b; the side opposite of b comes first.
+    open_.push_back(sideOf(t, a, shift));
+    open_.push_back(sideOf(t, b, shift));
+}
+
+bool FaceStar::isFolded() const
+{
+    double least = 1.0;
+    for (const StarSide& side : sides_) {
+        least = std::min(least, normalAgreement(vertex_, mesh_.vertex(side.a), mesh_.vertex(side.b)));
+    }
+    if (least >= kLeastAgreement) return false;
+    double before = 1.0;
+    for (const TriangleId t : cavity_) {
+        const FaceTriangle& record = mesh_.triangle(t);
+        before = std::min(before, normalAgreement(mesh_.vertex(record.v[0]), mesh_.vertex(record.v[1]),
+                                                  mesh_.vertex(record.v[2])));
+    }
+    return least < before;
+}
+
+double FaceStar::squaredSpokeLength() const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const StarSide& side : sides_) {
+        least = std::min(least, squaredLength(mesh_.position(side.a) - vertex_.position));
+        least = std::min(least, squaredLength(mesh_.position(side.b) - vertex_.position));
+    }
+    return least;
+}
+
+VertexId FaceStar::commit()
+{
+    const VertexId v = mesh_.addVertex(vertex_);
+    const std::size_t count = sides_.size();
+    made_.assign(cavity_.begin(), cavity_.end());
+    while (made_.size() > count) {
+        mesh_.freeTriangle(made_.back());
+        made_.pop_back();
+    }
+    while (made_.size() < count) made_.push_back(mesh_.allocateTriangle());
+    for (std::size_t i = 0; i < count; ++i) {
+        const StarSide& side = sides_[i];
+        mesh_.writeTriangle(made_[i], {v, side.a, side.b}, {uv_, side.uvA, side.uvB});
+        mesh_.triangle(made_[i]).s[0] = side.segment;
+        mesh_.vertex(side.a).triangle = made_[i];
+        mesh_.vertex(side.b).triangle = made_[i];
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        mesh_.link(EdgeLink(made_[i], 0), sides_[i].outer);
+        if (i + 1 < count) {
+            mesh_.link(EdgeLink(made_[i], 1), EdgeLink(made_[i + 1], 2));
+        } else if (isClosed_) {
+            mesh_.link(EdgeLink(made_[i], 1), EdgeLink(made_[0], 2));
+        }
+    }
+    for (const Spoke& spoke : spokes_) {
+        if (!spoke.segment.isValid()) continue;
+        if (spoke.at < count) mesh_.triangle(made_[spoke.at]).s[2] = spoke.segment;
+        if (spoke.at > 0 || isClosed_) {
+            mesh_.triangle(made_[(spoke.at + count - 1) % count]).s[1] = spoke.segment;
+        }
+    }
+    mesh_.vertex(v).triangle = made_[0];
+    return v;
+}
+
+}  // namespace mesher

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "base/vec.h"
+#include "surface_sampling/face_mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mesher {
+
+/// How far the star of a new vertex reaches.
+enum class StarExtent : std::uint8_t
+{
+    Delaunay,  ///< over all edges that would not be locally Delaunay beside it
+    Least      ///< the triangle, or the two of the side, that it lies on
+};
+
+/// A side of the polygon that the star of a new vertex fills; the star's triangles are new vertex, a, b.
+struct StarSide
+{
+    VertexId a;
+    VertexId b;
+    Vec2 uvA;  ///< in the image of the new vertex
+    Vec2 uvB;
+    EdgeLink outer;  ///< invalid at the border of the face
+    SegmentId segment;
+};
+
+/// The insertion of a vertex into the mesh of a face, evaluated and not yet made: the flips by which Lawson would restore the
+/// Delaunay property around the new vertex all remove edges of one polygon, which grows here without touching the mesh.
+/// Guarantees   the polygon is simple, segments are not crossed, a star that is not `isFolded` looks to the surface's side
+///              as well as the triangles it replaces or better than 60 degrees; commit cannot fail
+/// Cost         proportional to the star
+/// Reference    [lawson1977]; [chew1993] for the test of edges on a curved surface by opposite angles
+class FaceStar
+{
+public:
+    FaceStar(FaceMesh& mesh, const FaceGeometry& geometry) : mesh_(mesh), geometry_(geometry) {}
+
+    /// Of a vertex inside of a triangle; the parameters in the triangle's image.
+    void evaluateInside(TriangleId t, const FaceVertex& vertex, Vec2 uv, StarExtent extent);
+    /// Of a vertex on a side; the parameters in the image of the side's triangle. If the side is a segment, `halves` are what
+    /// it becomes: from its start to the vertex, and on to its end.
+    void evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, StarExtent extent,
+                        const std::array<SegmentId, 2>& halves);
+
+    [[nodiscard]] const std::vector<StarSide>& sides() const { return sides_; }
+    [[nodiscard]] const std::vector<TriangleId>& cavity() const { return cavity_; }
+    [[nodiscard]] const FaceVertex& vertex() const { return vertex_; }
+    [[nodiscard]] Vec2 parameters() const { return uv_; }
+    [[nodiscard]] bool isClosed() const { return isClosed_; }
+    [[nodiscard]] bool isFolded() const;
+    /// To the nearest corner of the polygon.
+    [[nodiscard]] double squaredSpokeLength() const;
+
+    /// Requires   the mesh as it was evaluated
+    VertexId commit();
+    /// The triangles of the star that was committed last.
+    [[nodiscard]] const std::vector<TriangleId>& made() const { return made_; }
+
+private:
+    struct Spoke
+    {
+        std::size_t at =
+            0;  ///< before this side of the polygon; the number of sides at the end of an open fan
+        SegmentId segment;
+    };
+
+    void begin(const FaceVertex& vertex, Vec2 uv, StarExtent extent);
+    void addTriangle(TriangleId t);
+    [[nodiscard]] StarSide sideOf(TriangleId t, unsigned side, Vec2 shift) const;
+    void grow(const StarSide& side);
+    [[nodiscard]] bool isToBeRemoved(const StarSide& side) const;
+    [[nodiscard]] bool isOnPolygon(VertexId v) const;
+
+    FaceMesh& mesh_;
+    const FaceGeometry& geometry_;
+    FaceVertex vertex_;
+    Vec2 uv_;
+    StarExtent extent_ = StarExtent::Delaunay;
+    bool isClosed_ = true;
+    std::vector<TriangleId> cavity_;
+    std::vector<StarSide> sides_;
+    std::vector<StarSide> open_;  ///< sides still to be looked at, the next one last
+    std::array<Spoke, 2> spokes_;
+    std::vector<TriangleId> made_;
+};
+
+}  // namespace mesher

@@ -1,0 +1,82 @@
+#include "surface_sampling/facet_criteria.h"
+
+#include "surface_sampling/facet_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mesher {
+namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+double squaredRatioOf(double minAngle)
+{
+    if (!(minAngle > 0.0)) return std::numeric_limits<double>::infinity();
+    const double sine = std::sin(minAngle * kRadiansPerDegree);
+    return 1.0 / (4.0 * sine * sine);
+}
+
+}  // namespace
+
+FacetCriteria::FacetCriteria(const FacetCriteriaOptions& options)
+    : options_(options),
+      squaredRatioLimit_(squaredRatioOf(options.minAngle)),
+      leastAgreement_(std::cos(options.maxNormalDeviation * kRadiansPerDegree))
+{
+}
+
+double FacetCriteria::sizeAt(const Vec3& point, double curvatureRadius) const
+{
+    double size = options_.maxSize;
+    if (options_.elementsPerTurn > 0.0) {
+        const double turn = 2.0 * std::numbers::pi * curvatureRadius / options_.elementsPerTurn;
+        size = std::min(size, std::max(turn, options_.leastCurvatureSize));
+    }
+    if (options_.maxSag > 0.0) {
+        const double chord = std::sqrt(8.0 * curvatureRadius * options_.maxSag);
+        size = std::min(size, std::max(chord, options_.leastCurvatureSize));
+    }
+    if (options_.sizes != nullptr) size = std::min(size, options_.sizes->sizeAt(point));
+    return size;
+}
+
+bool FacetCriteria::isTooLong(const FaceMesh& mesh, EdgeLink side) const
+{
+    const FaceVertex& a = mesh.vertex(mesh.from(side));
+    const FaceVertex& b = mesh.vertex(mesh.to(side));
+    const double wanted = 0.5 * (a.size + b.size);
+    return squaredLength(b.position - a.position) > wanted * wanted;
+}
+
+FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
+{
+    const FaceTriangle& record = mesh.triangle(t);
+    const FaceVertex& a = mesh.vertex(record.v[0]);
+    const FaceVertex& b = mesh.vertex(record.v[1]);
+    const FaceVertex& c = mesh.vertex(record.v[2]);
+    const FacetShape shape = FacetShape::of(a.position, b.position, c.position);
+    double excess = 0.0;  // squared
+    const double doubled[3] = {b.size + c.size, c.size + a.size, a.size + b.size};
+    for (unsigned i = 0; i < 3; ++i) {
+        excess = std::max(excess, 4.0 * shape.squaredSide[i] / (doubled[i] * doubled[i]));
+    }
+    if (options_.rho > 0.0) {
+        const double radius = std::min({a.curvatureRadius, b.curvatureRadius, c.curvatureRadius});
+        const double wanted = std::max(radius / (2.0 * options_.rho), options_.leastCurvatureSize);
+        excess = std::max(excess, shape.squaredRadius / (wanted * wanted));
+    }
+    // How far off the normals are is no length, but a facet that hides the surface comes before all others of its size.
+    constexpr double kHidden = 4.0;
+    if (options_.maxNormalDeviation < 90.0 || leastAgreement_ > 0.0) {
+        const double agreement = normalAgreement(a, b, c);
+        if (agreement < leastAgreement_) excess = std::max(excess, kHidden * (2.0 - agreement));
+    }
+    if (excess > 1.0) return {FacetNeed::Size, std::sqrt(excess)};
+    if (shape.squaredRatio() > squaredRatioLimit_)
+        return {FacetNeed::Quality, std::sqrt(shape.squaredRatio())};
+    return {};
+}
+
+}  // namespace mesher

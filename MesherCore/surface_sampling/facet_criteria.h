@@ -1,0 +1,63 @@
+#pragma once
+
+#include "sizing/sizing_field.h"
+#include "surface_sampling/face_mesh.h"
+
+#include <limits>
+
+namespace mesher {
+
+/// What facets are asked to be.
+struct FacetCriteriaOptions
+{
+    /// Smallest angle wanted, degrees; 0 asks for none. Refinement is proven to end up to 20.7 [thesis §3.3.2.3], in practice
+    /// it ends up to 30; in [0, 34].
+    double minAngle = 30.0;
+    /// Longest edge, model units.
+    double maxSize = std::numeric_limits<double>::infinity();
+    /// Edges on a full turn at the surface's least radius of curvature; 0 for no wish.
+    double elementsPerTurn = 0.0;
+    /// Facets whose circumradius exceeds the least radius of curvature over 2 rho are split; 0 for no wish.
+    double rho = 0.0;
+    /// Largest distance between an edge and the surface, model units; 0 for no wish.
+    double maxSag = 0.0;
+    /// Largest angle between a facet's normal and the surface's at its corners, degrees; in (0, 90].
+    double maxNormalDeviation = 60.0;
+    /// Wanted edge lengths; null for no wish.
+    const SizingField* sizes = nullptr;
+    /// Curvature asks for no edges shorter than this, model units: it keeps the apex of a cone from being refined without end.
+    double leastCurvatureSize = 0.0;
+};
+
+enum class FacetNeed
+{
+    Nothing,
+    Size,    ///< too long, too large for the curvature, or off the surface's normals
+    Quality  ///< too small an angle
+};
+
+struct FacetVerdict
+{
+    FacetNeed need = FacetNeed::Nothing;
+    double key = 0.0;  ///< the larger the worse
+};
+
+/// Judges the facets of a face by what is known at their corners.
+/// Reference   thesis §3.3.2.3, whose rho works the other way round: larger is finer
+class FacetCriteria
+{
+public:
+    explicit FacetCriteria(const FacetCriteriaOptions& options);
+
+    [[nodiscard]] FacetVerdict judge(const FaceMesh& mesh, TriangleId t) const;
+    /// The edge length wanted at a point of the surface, from its position and radius of curvature.
+    [[nodiscard]] double sizeAt(const Vec3& point, double curvatureRadius) const;
+    [[nodiscard]] bool isTooLong(const FaceMesh& mesh, EdgeLink side) const;
+
+private:
+    FacetCriteriaOptions options_;
+    double squaredRatioLimit_;
+    double leastAgreement_;
+};
+
+}  // namespace mesher

@@ -1,0 +1,143 @@
+#include "surface_sampling/facet_split.h"
+
+#include "predicates/circumcenter.h"
+#include "surface_sampling/face_walk.h"
+#include "surface_sampling/facet_measures.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace mesher {
+namespace {
+
+/// Centres are taken whose surface looks away from the facet by no more than 60 degrees.
+constexpr double kLeastAgreement = 0.5;
+
+FacetShape shapeOf(const FaceMesh& mesh, TriangleId t)
+{
+    const FaceTriangle& record = mesh.triangle(t);
+    return FacetShape::of(mesh.position(record.v[0]), mesh.position(record.v[1]), mesh.position(record.v[2]));
+}
+
+/// Where the circumcentre is in the parameters, if these were linear over the facet.
+Vec2 circumcentreParameters(const FaceTriangle& record, const FacetShape& shape)
+{
+    const auto& s = shape.squaredSide;
+    std::array<double, 3> weight{};
+    double sum = 0.0;
+    for (unsigned i = 0; i < 3; ++i) {
+        weight[i] = s[i] * (s[nextCorner(i)] + s[previousCorner(i)] - s[i]);
+        sum += weight[i];
+    }
+    return (1.0 / sum) * (weight[0] * record.uv[0] + weight[1] * record.uv[1] + weight[2] * record.uv[2]);
+}
+
+}  // namespace
+
+FacetSplitter::FacetSplitter(FaceMesh& mesh, const FaceGeometry& geometry, const FacetCriteria& criteria,
+                             const FacetSplitOptions& options)
+    : mesh_(mesh),
+      geometry_(geometry),
+      criteria_(criteria),
+      options_(options),
+      encroachmentCosine_(options.encroachmentAngle == 90.0
+                              ? 0.0
+                              : std::cos(options.encroachmentAngle * std::numbers::pi / 180.0)),
+      star_(mesh, geometry)
+{
+}
+
+FaceVertex FacetSplitter::vertexAt(const SurfaceFacts& facts) const
+{
+    FaceVertex vertex = FaceVertex::of(facts);
+    vertex.size = criteria_.sizeAt(facts.position, facts.curvatureRadius);
+    vertex.isFree = true;
+    return vertex;
+}
+
+bool FacetSplitter::encroaches(const Vec3& point, const Vec3& a, const Vec3& b) const
+{
+    const double cosine = dot(a - point, b - point);
+    if (cosine >= 0.0) return false;
+    return encroachmentCosine_ == 0.0 ||
+           cosine < encroachmentCosine_ * std::sqrt(squaredLength(a - point) * squaredLength(b - point));
+}
+
+std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
+{
+    const FaceTriangle& record = mesh_.triangle(t);
+    const Vec3 &a = mesh_.position(record.v[0]), &b = mesh_.position(record.v[1]), &c = mesh_.position(record.v[2]);
+    const FacetShape shape = FacetShape::of(a, b, c);
+    const std::optional<Vec3> centre = approximateCircumcenter(a, b, c);
+    if (!centre || !std::isfinite(shape.squaredRadius)) return {};
+    const double radius = std::sqrt(shape.squaredRadius);
+    const Vec3 normal = cross(b - a, c - a);
+    const Vec3 unit = (1.0 / length(normal)) * normal;
+    const Vec2 seed = circumcentreParameters(record, shape);
+    const auto looksAway = [&](const SurfaceFacts& facts) { return dot(facts.normal, unit) < kLeastAgreement; };
+    if (const auto found = geometry_.ballCentre(*centre, unit, radius, seed); found && !looksAway(found->facts)) {
+        return found->facts;
+    }
+    ++counts_.projectedCentres;
+    const Vec2 inside = (1.0 / 3.0) * (record.uv[0] + record.uv[1] + record.uv[2]);
+    const SurfaceFacts facts = geometry_.projected(*centre, inside);
+    if (squaredLength(facts.position - *centre) > shape.squaredRadius || looksAway(facts)) return {};
+    return facts;
+}
+
+FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent)
+{
+    encroached_.clear();
+    const std::optional<SurfaceFacts> centre = findCentre(t);
+    if (!centre) return evaluateLongestEdge(t, extent);
+    const FaceWalk walk = walkToPoint(mesh_, geometry_, t, centre->position);
+    switch (walk.outcome) {
+        case FaceWalk::Outcome::Lost: ++counts_.lostWalks; return evaluateLongestEdge(t, extent);
+        case FaceWalk::Outcome::Blocked:
+            encroached_.push_back(mesh_.segment(walk.side));
+            return FacetSplitStatus::Encroaches;
+        case FaceWalk::Outcome::Inside: break;
+    }
+    star_.evaluateInside(walk.triangle, vertexAt(*centre), centre->parameters - walk.shift, extent);
+    if (star_.isFolded()) return evaluateLongestEdge(t, extent);
+    return judgeStar();
+}
+
+/// Where the surface bends too much for its facets, the middle of the longest edge is always near.
+FacetSplitStatus FacetSplitter::evaluateLongestEdge(TriangleId t, StarExtent extent)
+{
+    const FaceTriangle& record = mesh_.triangle(t);
+    const FacetShape shape = shapeOf(mesh_, t);
+    const EdgeLink side(t, shape.longest);
+    if (mesh_.segment(side).isValid()) {
+        encroached_.push_back(mesh_.segment(side));
+        return FacetSplitStatus::Encroaches;
+    }
+    ++counts_.splitEdges;
+    const unsigned i = nextCorner(side.edge()), k = previousCorner(side.edge());
+    const Vec3 middle = 0.5 * (mesh_.position(record.v[i]) + mesh_.position(record.v[k]));
+    const SurfaceFacts facts = geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]));
+    if (4.0 * squaredLength(facts.position - middle) > shape.squaredSide[shape.longest]) {
+        return FacetSplitStatus::NotFound;
+    }
+    star_.evaluateOnSide(side, vertexAt(facts), facts.parameters, extent, {});
+    if (star_.isFolded()) {
+        ++counts_.foldedStars;
+        return FacetSplitStatus::NotFound;
+    }
+    return judgeStar();
+}
+
+FacetSplitStatus FacetSplitter::judgeStar()
+{
+    const Vec3& point = star_.vertex().position;
+    for (const StarSide& side : star_.sides()) {
+        if (!side.segment.isValid()) continue;
+        if (encroaches(point, mesh_.position(side.a), mesh_.position(side.b))) encroached_.push_back(side.segment);
+    }
+    if (!encroached_.empty()) return FacetSplitStatus::Encroaches;
+    return star_.squaredSpokeLength() < options_.floor * options_.floor ? FacetSplitStatus::TooSmall
+                                                                        : FacetSplitStatus::Ready;
+}
+
+}  // namespace mesher

@@ -1,0 +1,260 @@
+#include "surface_sampling/surface_refinement.h"
+
+#include "surface_sampling/facet_measures.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mesher {
+
+FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCounts& other)
+{
+    sizeInsertions += other.sizeInsertions;
+    qualityInsertions += other.qualityInsertions;
+    boundaryInsertions += other.boundaryInsertions;
+    removals += other.removals;
+    splits.projectedCentres += other.splits.projectedCentres;
+    splits.splitEdges += other.splits.splitEdges;
+    splits.lostWalks += other.splits.lostWalks;
+    splits.foldedStars += other.splits.foldedStars;
+    forcedStars += other.forcedStars;
+    deferred += other.deferred;
+    leftAtSmallAngles += other.leftAtSmallAngles;
+    leftForResolution += other.leftForResolution;
+    return *this;
+}
+
+FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const FaceBoundary& boundary,
+                         const FaceRefinementOptions& options)
+    : mesh_(mesh),
+      geometry_(geometry),
+      boundary_(boundary),
+      criteria_(options.criteria),
+      splitter_(mesh, geometry, criteria_, options.splits),
+      removal_(mesh, geometry)
+{
+    for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {
+        FaceVertex& vertex = mesh.vertex(VertexId(i));
+        vertex.size = criteria_.sizeAt(vertex.position, vertex.curvatureRadius);
+        if (vertex.node.isValid()) vertexOf_.insert(vertex.node, VertexId(i));
+    }
+}
+
+FaceRefinementCounts FaceRefiner::counts() const
+{
+    FaceRefinementCounts counts = counts_;
+    counts.splits = splitter_.counts();
+    return counts;
+}
+
+VertexId FaceRefiner::vertexOf(NodeId node) const
+{
+    const VertexId* known = vertexOf_.find(node);
+    return known != nullptr ? *known : VertexId();
+}
+
+// ---- what is to be done ----------------------------------------------------------------------------------------------
+
+void FaceRefiner::queueTriangle(TriangleId t)
+{
+    const FacetVerdict verdict = criteria_.judge(mesh_, t);
+    if (verdict.need == FacetNeed::Nothing) return;
+    (verdict.need == FacetNeed::Size ? sizeQueue_ : qualityQueue_)
+        .push(t, mesh_.triangle(t).generation, verdict.key);
+}
+
+void FaceRefiner::queueMade(const std::vector<TriangleId>& made)
+{
+    for (const TriangleId t : made) queueTriangle(t);
+}
+
+void FaceRefiner::queueAll()
+{
+    sizeQueue_.clear();
+    qualityQueue_.clear();
+    waiting_.clear();
+    for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
+        if (!mesh_.triangle(TriangleId(i)).isAlive) continue;
+        mesh_.triangle(TriangleId(i)).isLeft = false;
+        queueTriangle(TriangleId(i));
+    }
+}
+
+bool FaceRefiner::propose(SegmentId segment)
+{
+    if (!boundary_.maySplit(segment)) return false;
+    proposals_.push_back(segment);
+    return true;
+}
+
+std::vector<SegmentId> FaceRefiner::takeProposals()
+{
+    std::sort(proposals_.begin(), proposals_.end());
+    proposals_.erase(std::unique(proposals_.begin(), proposals_.end()), proposals_.end());
+    return std::exchange(proposals_, {});
+}
+
+void FaceRefiner::proposeIfEncroached(EdgeLink side)
+{
+    const SegmentId segment = mesh_.segment(side);
+    if (!segment.isValid()) return;
+    const VertexId apex = mesh_.apex(side);
+    if (splitter_.encroaches(mesh_.position(apex), mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)))) {
+        propose(segment);
+    }
+}
+
+void FaceRefiner::proposeSegments()
+{
+    for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
+        if (!mesh_.triangle(TriangleId(i)).isAlive) continue;
+        for (unsigned k = 0; k < 3; ++k) {
+            const EdgeLink side(TriangleId(i), k);
+            if (!mesh_.segment(side).isValid()) continue;
+            if (criteria_.isTooLong(mesh_, side)) {
+                propose(mesh_.segment(side));
+            } else {
+                proposeIfEncroached(side);
+            }
+        }
+    }
+}
+
+void FaceRefiner::proposeAround(VertexId v)
+{
+    mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) {
+        for (unsigned k = 0; k < 3; ++k) {
+            const EdgeLink side(opposite.triangle(), k);
+            if (mesh_.segment(side).isValid() && criteria_.isTooLong(mesh_, side)) {
+                propose(mesh_.segment(side));
+            } else {
+                proposeIfEncroached(side);
+            }
+        }
+    });
+}
+
+// ---- the loop --------------------------------------------------------------------------------------------------------
+
+StopReason FaceRefiner::refine(Budget& budget)
+{
+    for (const Waiting& waiting : std::exchange(waiting_, {})) {
+        const FaceTriangle& record = mesh_.triangle(waiting.triangle);
+        if (record.isAlive && record.generation == waiting.generation) queueTriangle(waiting.triangle);
+    }
+    for (;;) {
+        const bool isSize = !sizeQueue_.empty();
+        const auto entry = (isSize ? sizeQueue_ : qualityQueue_).pop();
+        if (!entry) break;
+        const FaceTriangle& record = mesh_.triangle(entry->id);
+        if (!record.isAlive || record.generation != entry->generation || record.isLeft) continue;
+        const FacetVerdict verdict = criteria_.judge(mesh_, entry->id);
+        if (verdict.key != entry->key)
+            continue;  // the generation has wrapped: another entry is the right one
+        if (!budget.allows({mesh_.vertexCount(), mesh_.triangleCount()})) {
+            (isSize ? sizeQueue_ : qualityQueue_).push(entry->id, entry->generation, entry->key);
+            break;
+        }
+        processTriangle(entry->id, verdict.need);
+    }
+    return budget.stopReason();
+}
+
+void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
+{
+    if (isAtSmallAngle(t)) {
+        mesh_.triangle(t).isLeft = true;
+        ++counts_.leftAtSmallAngles;
+        return;
+    }
+    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay);
+    if (status == FacetSplitStatus::Ready) {
+        splitter_.star().commit();
+        queueMade(splitter_.star().made());
+        ++(need == FacetNeed::Size ? counts_.sizeInsertions : counts_.qualityInsertions);
+        return;
+    }
+    bool isProposed = false;
+    if (status == FacetSplitStatus::Encroaches) {
+        for (const SegmentId segment : splitter_.encroached()) isProposed = propose(segment) || isProposed;
+    }
+    if (isProposed) {
+        ++counts_.deferred;
+        waiting_.push_back({t, mesh_.triangle(t).generation});
+    } else {
+        mesh_.triangle(t).isLeft = true;
+        ++counts_.leftForResolution;
+    }
+}
+
+bool FaceRefiner::isAtSmallAngle(TriangleId t) const
+{
+    const FaceTriangle& record = mesh_.triangle(t);
+    const FacetShape shape =
+        FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
+    const NodeId a = mesh_.vertex(record.v[nextCorner(shape.shortest)]).node;
+    const NodeId b = mesh_.vertex(record.v[previousCorner(shape.shortest)]).node;
+    return a.isValid() && b.isValid() && boundary_.spansSmallAngle(a, b);
+}
+
+// ---- segments --------------------------------------------------------------------------------------------------------
+
+EdgeLink FaceRefiner::sideOf(const SegmentVertex& split) const
+{
+    const VertexId a = vertexOf(split.ends[0]), b = vertexOf(split.ends[1]);
+    if (!a.isValid() || !b.isValid()) return {};
+    for (const EdgeLink side : {mesh_.findSide(a, b), mesh_.findSide(b, a)}) {
+        if (side.isValid() && mesh_.segment(side) == split.segment) return side;
+    }
+    return {};
+}
+
+/// Chew's rule: free vertices in the ball of a segment that is split give way.
+bool FaceRefiner::removeApex(EdgeLink side)
+{
+    const VertexId apex = mesh_.apex(side);
+    if (!mesh_.vertex(apex).isFree) return false;
+    const Vec3& p = mesh_.position(apex);
+    if (dot(mesh_.position(mesh_.from(side)) - p, mesh_.position(mesh_.to(side)) - p) >= 0.0) return false;
+    if (!removal_.evaluate(apex)) return false;
+    removal_.commit();
+    ++counts_.removals;
+    queueMade(removal_.made());
+    return true;
+}
+
+void FaceRefiner::insertOnSegment(const SegmentVertex& split)
+{
+    EdgeLink side = sideOf(split);
+    while (side.isValid() && removeApex(side)) side = sideOf(split);
+    while (side.isValid() && mesh_.across(side).isValid() && removeApex(mesh_.across(side)))
+        side = sideOf(split);
+    if (!side.isValid()) return;
+    const FaceTriangle& record = mesh_.triangle(side.triangle());
+    const VertexId from = mesh_.from(side), to = mesh_.to(side);
+    const double before = length(split.position - mesh_.position(from));
+    const double after = length(split.position - mesh_.position(to));
+    const double share = before + after > 0.0 ? before / (before + after) : 0.5;
+    const Vec2 uvFrom = record.uv[nextCorner(side.edge())], uvTo = record.uv[previousCorner(side.edge())];
+    const SurfaceFacts facts = geometry_.projected(split.position, uvFrom + share * (uvTo - uvFrom));
+    FaceVertex vertex = splitter_.vertexAt(facts);
+    vertex.isFree = false;
+    vertex.position = split.position;
+    vertex.node = split.node;
+    const bool isAlong = mesh_.vertex(from).node == split.ends[0];
+    const std::array<SegmentId, 2> halves =
+        isAlong ? split.halves : std::array<SegmentId, 2>{split.halves[1], split.halves[0]};
+    FaceStar& star = splitter_.star();
+    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Delaunay, halves);
+    if (star.isFolded()) {
+        ++counts_.forcedStars;
+        star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves);
+    }
+    const VertexId v = star.commit();
+    vertexOf_.insert(split.node, v);
+    ++counts_.boundaryInsertions;
+    queueMade(star.made());
+    proposeAround(v);
+}
+
+}  // namespace mesher

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "base/bucket_queue.h"
+#include "base/budget.h"
+#include "base/stop_reason.h"
+#include "surface_sampling/face_mesh.h"
+#include "surface_sampling/face_replacement.h"
+#include "surface_sampling/face_star.h"
+#include "surface_sampling/facet_criteria.h"
+#include "surface_sampling/facet_split.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace mesher {
+
+/// What a face must know of the edges around it.
+/// Threads   may be asked from several threads at once
+class FaceBoundary
+{
+public:
+    virtual ~FaceBoundary() = default;
+    /// False for a segment that is as short as it may be.
+    [[nodiscard]] virtual bool maySplit(SegmentId segment) const = 0;
+    /// Two nodes on one shell around the apex of a small angle.
+    [[nodiscard]] virtual bool spansSmallAngle(NodeId a, NodeId b) const = 0;
+};
+
+struct FaceRefinementOptions
+{
+    FacetCriteriaOptions criteria;
+    FacetSplitOptions splits;
+};
+
+struct FaceRefinementCounts
+{
+    std::size_t sizeInsertions = 0;
+    std::size_t qualityInsertions = 0;
+    std::size_t boundaryInsertions = 0;  ///< vertices put on segments
+    std::size_t removals = 0;            ///< free vertices that gave way to a segment's split
+    std::size_t forcedStars = 0;         ///< vertices on segments beside which facets fold
+    std::size_t deferred = 0;            ///< facets that waited for segments to be split
+    std::size_t leftAtSmallAngles = 0;   ///< facets
+    std::size_t leftForResolution = 0;   ///< facets
+    FacetSplitCounts splits;
+
+    FaceRefinementCounts& operator+=(const FaceRefinementCounts& other);
+};
+
+/// A split of a segment that all faces beside it follow.
+struct SegmentVertex
+{
+    SegmentId segment;
+    std::array<NodeId, 2> ends;  ///< of the segment, along its edge
+    NodeId node;
+    Vec3 position;
+    std::array<SegmentId, 2> halves;
+};
+
+/// Refines the mesh of one face on the exact surface: the worst facet of those too large, then of those with too small an
+/// angle, is removed by a vertex at the centre of its surface ball. Where that would be beyond a segment or encroach on one,
+/// the segment is proposed for a split, which the owner of the edges makes in all faces at once.
+/// Guarantees   the mesh stays a manifold with the same topology and segments; each vertex is an exact point of the surface;
+///              with StopReason::Done and no proposals, each facet is as asked, or counted as left
+/// Requires     a mesh that follows the surface (normals within 90 degrees)
+/// Terminates   for angles up to 20.7 degrees, in practice 30; the floor and the budget end everything else
+/// Cost         about constant per vertex
+/// Reference    thesis §3.3.2.3; [chew1993] for the centres, [shewchuk2002] for the boundary, [miller2003] for small angles;
+///              here the facets are kept by flips in the surface, not by a restricted Delaunay triangulation in space
+class FaceRefiner
+{
+public:
+    FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const FaceBoundary& boundary,
+                const FaceRefinementOptions& options);
+
+    /// Segments that are too long or encroached, as the mesh is: to be split before the inside is refined.
+    void proposeSegments();
+    /// Until nothing is left to do or all that is left waits for proposals.
+    StopReason refine(Budget& budget);
+    /// Ascending, each once.
+    [[nodiscard]] std::vector<SegmentId> takeProposals();
+    void insertOnSegment(const SegmentVertex& split);
+    /// To be called when facets that were given up may have become possible.
+    void queueAll();
+
+    [[nodiscard]] FaceRefinementCounts counts() const;
+    [[nodiscard]] FacetSplitter& splitter() { return splitter_; }
+    [[nodiscard]] FaceMesh& mesh() { return mesh_; }
+    /// The vertex of a node of the model's mesh.
+    [[nodiscard]] VertexId vertexOf(NodeId node) const;
+
+private:
+    struct Waiting
+    {
+        TriangleId triangle;
+        std::uint16_t generation = 0;
+    };
+
+    void queueTriangle(TriangleId t);
+    void queueMade(const std::vector<TriangleId>& made);
+    bool propose(SegmentId segment);
+    void processTriangle(TriangleId t, FacetNeed need);
+    [[nodiscard]] bool isAtSmallAngle(TriangleId t) const;
+    void proposeAround(VertexId v);
+    void proposeIfEncroached(EdgeLink side);
+    [[nodiscard]] EdgeLink sideOf(const SegmentVertex& split) const;
+    bool removeApex(EdgeLink side);
+
+    FaceMesh& mesh_;
+    const FaceGeometry& geometry_;
+    const FaceBoundary& boundary_;
+    FacetCriteria criteria_;
+    FacetSplitter splitter_;
+    FaceVertexRemoval removal_;
+    BucketQueue<TriangleId> sizeQueue_;
+    BucketQueue<TriangleId> qualityQueue_;
+    std::vector<Waiting> waiting_;
+    std::vector<SegmentId> proposals_;
+    IndexedMap<NodeId, VertexId> vertexOf_;
+    FaceRefinementCounts counts_;
+};
+
+}  // namespace mesher
