@@ -1,0 +1,168 @@
+#include "tetrahedralization/cavity_retriangulation.h"
+
+#include "predicates/orient3d.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mesher {
+
+namespace {
+
+constexpr int kKernelSteps = 200;
+
+CavityShell::Corners sorted(CavityShell::Corners corner)
+{
+    std::sort(corner.begin(), corner.end());
+    return corner;
+}
+
+bool isEvenPermutation(const CavityShell::Corners& a, const CavityShell::Corners& b)
+{
+    for (unsigned turn = 0; turn < 3; ++turn) {
+        if (a[0] == b[turn] && a[1] == b[(turn + 1) % 3] && a[2] == b[(turn + 2) % 3]) return true;
+    }
+    return false;
+}
+
+/// Distance of a point from the plane of a face, positive inside.
+double distanceInside(const std::array<Vec3, 3>& face, const Vec3& point)
+{
+    const Vec3 normal = cross(face[1] - face[0], face[2] - face[0]);
+    return dot(normal, point - face[0]) / length(normal);
+}
+
+}  // namespace
+
+bool CavityShell::add(const Face& face)
+{
+    const auto [place, isNew] = faces_.emplace(sorted(face.corner), face);
+    if (isNew) return true;
+    if (isEvenPermutation(place->second.corner, face.corner)) return false;
+    faces_.erase(place);
+    return true;
+}
+
+void CavityShell::remove(const Corners& corner) { faces_.erase(sorted(corner)); }
+
+void CavityRetriangulation::triangulate()
+{
+    if (!local_) {
+        local_ = std::make_unique<Delaunay3d>();
+    } else {
+        local_->clear();
+    }
+    Box3 box;
+    for (const VertexId corner : corners_) box.include(mesh_.position(corner));
+    local_->expectPointsIn(box);
+    for (const VertexId corner : corners_) local_->insertTrusted(mesh_.position(corner));
+}
+
+bool CavityRetriangulation::fillDelaunay(const CavityShell& shell, std::span<const VertexId> insideVertices,
+                                         std::vector<TetCorners>& filling)
+{
+    missing_.clear();
+    corners_.assign(insideVertices.begin(), insideVertices.end());
+    for (const auto& [key, face] : shell.faces()) corners_.insert(corners_.end(), key.begin(), key.end());
+    std::sort(corners_.begin(), corners_.end());
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    triangulate();
+    if (local_->dimension() < 3) return false;
+    const std::size_t start = filling.size();
+    if (!flood(shell, filling)) return false;
+    for (const VertexId inside : insideVertices) {
+        const bool isUsed =
+            std::any_of(filling.begin() + static_cast<std::ptrdiff_t>(start), filling.end(),
+                        [&](const TetCorners& tet) { return std::find(tet.begin(), tet.end(), inside) != tet.end(); });
+        if (!isUsed) return false;
+    }
+    return true;
+}
+
+bool CavityRetriangulation::flood(const CavityShell& shell, std::vector<TetCorners>& filling)
+{
+    const Triangulation3d& local = local_->triangulation();
+    isInside_.assign(local.tetLimit(), 0);
+    isBounded_.assign(std::size_t{local.tetLimit()} * 4, 0);
+    queue_.clear();
+    const auto original = [&](VertexId v) { return isGhost(v) ? v : corners_[v.value]; };
+    std::map<CavityShell::Corners, bool> isFound;
+    for (const auto& [key, face] : shell.faces()) isFound.emplace(key, false);
+    for (std::uint32_t i = 0; i < local.tetLimit(); ++i) {
+        if (!local.isAlive(TetId(i))) continue;
+        for (int face = 0; face < 4; ++face) {
+            const auto [a, b, c] = local.faceVertices({TetId(i), face});
+            if (isGhost(a) || isGhost(b) || isGhost(c)) continue;
+            const CavityShell::Corners corner{original(a), original(b), original(c)};
+            const auto found = shell.faces().find(sorted(corner));
+            if (found == shell.faces().end()) continue;
+            isBounded_[i * 4 + static_cast<std::uint32_t>(face)] = 1;
+            if (!isEvenPermutation(found->second.corner, corner)) continue;
+            isFound[found->first] = true;
+            if (isInside_[i] == 0) queue_.push_back(TetId(i));
+            isInside_[i] = 1;
+        }
+    }
+    for (const auto& [key, found] : isFound) {
+        if (!found) missing_.push_back(key);
+    }
+    if (!missing_.empty()) return false;
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
+        const TetRecord& record = local.tet(queue_[next]);
+        if (isGhost(record.vertex[3])) return false;
+        filling.push_back({original(record.vertex[0]), original(record.vertex[1]), original(record.vertex[2]),
+                           original(record.vertex[3])});
+        for (unsigned face = 0; face < 4; ++face) {
+            const TetId other = record.neighbour[face].tet();
+            if (isBounded_[queue_[next].value * 4 + face] != 0 || isInside_[other.value] != 0) continue;
+            isInside_[other.value] = 1;
+            queue_.push_back(other);
+        }
+    }
+    return true;
+}
+
+/// Ascends the least distance from the planes of the faces, from the middle of the vertices, with steps that shrink.
+bool CavityRetriangulation::findKernelPoint(const CavityShell& shell, Vec3& point) const
+{
+    std::vector<std::array<Vec3, 3>> faces;
+    Box3 box;
+    Vec3 sum;
+    for (const auto& [key, face] : shell.faces()) {
+        const auto& v = face.corner;
+        faces.push_back({mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])});
+        for (const Vec3& corner : faces.back()) {
+            box.include(corner);
+            sum = sum + corner;
+        }
+    }
+    if (faces.empty()) return false;
+    point = (1.0 / (3.0 * static_cast<double>(faces.size()))) * sum;
+    Vec3 best = point;
+    double bestDistance = -std::numeric_limits<double>::infinity();
+    double step = 0.25 * length(box.extent());
+    for (int i = 0; i < kKernelSteps; ++i, step *= 0.95) {
+        double least = std::numeric_limits<double>::infinity();
+        const std::array<Vec3, 3>* nearest = nullptr;
+        for (const auto& face : faces) {
+            const double distance = distanceInside(face, point);
+            if (distance >= least) continue;
+            least = distance;
+            nearest = &face;
+        }
+        if (nearest == nullptr) return false;
+        if (least > bestDistance) {
+            bestDistance = least;
+            best = point;
+        }
+        const Vec3 normal = cross((*nearest)[1] - (*nearest)[0], (*nearest)[2] - (*nearest)[0]);
+        point = point + (step / length(normal)) * normal;
+    }
+    point = best;
+    return std::all_of(faces.begin(), faces.end(), [&](const auto& face) {
+        return orient3d(face[0], face[1], face[2], point) == Sign::Positive;
+    });
+}
+
+}  // namespace mesher

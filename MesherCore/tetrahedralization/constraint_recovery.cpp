@@ -1,0 +1,304 @@
+#include "tetrahedralization/constraint_recovery.h"
+
+#include <algorithm>
+
+namespace mesher {
+
+namespace {
+
+constexpr std::uint64_t kInsertedBesides = 1000;
+
+}  // namespace
+
+ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints, const TetrahedralizationOptions& options,
+                                       Budget& budget, Tetrahedralization& result)
+    : constraints_(constraints),
+      options_(options),
+      budget_(budget),
+      result_(result),
+      flips_(constraints.mesh()),
+      segments_(constraints, flips_),
+      facets_(constraints, flips_),
+      splits_(constraints),
+      maxInserted_(kInsertedBesides + static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
+      // Exact points may not be where they would help, so half of the allowance is kept for those that are.
+      maxExact_(maxInserted_ / 2)
+{
+}
+
+bool ConstraintRecovery::mayInsert() const
+{
+    const TetrahedralizationCounts& counts = result_.counts;
+    return std::uint64_t{counts.exactSplits} + counts.edgeSteiner + counts.facetSteiner < maxInserted_;
+}
+
+bool ConstraintRecovery::mayGoOn()
+{
+    return budget_.allows({constraints_.mesh().vertexCount(), constraints_.mesh().tetCount()});
+}
+
+Result<void> ConstraintRecovery::run()
+{
+    while (!constraints_.missingEdges.empty() || !constraints_.missingFacets.empty()) {
+        if (Result<void> edges = recoverEdges(); !edges) return edges;
+        if (!result_.failures.empty() || budget_.exhausted()) break;
+        if (Result<void> facets = recoverFacets(); !facets) return facets;
+        if (!result_.failures.empty() || budget_.exhausted()) break;
+    }
+    failAll();
+    result_.counts.recoveryFlips = flips_.flips();
+    result_.stopReason =
+        budget_.stopReason(result_.failures.empty() ? StopReason::Done : StopReason::CannotImprove);
+    return {};
+}
+
+// --- edges
+
+bool ConstraintRecovery::isWanted(const EdgeKey& edge)
+{
+    return constraints_.segmentAt(edge.first, edge.second).isValid() ||
+           !constraints_.facetsAt(edge.first, edge.second).empty();
+}
+
+Result<void> ConstraintRecovery::recoverEdges()
+{
+    std::vector<EdgeKey>& missing = constraints_.missingEdges;
+    for (int depth = 0; depth <= options_.flipDepth && !missing.empty(); ++depth) {
+        std::vector<EdgeKey> edges;
+        edges.swap(missing);
+        for (const EdgeKey& edge : edges) {
+            if (!mayGoOn()) {
+                missing.push_back(edge);
+                continue;
+            }
+            const Result<bool> recovered = recoverEdge(edge, depth);
+            if (!recovered) return recovered.error();
+            if (!*recovered) missing.push_back(edge);
+        }
+    }
+    std::vector<EdgeKey> edges;
+    edges.swap(missing);
+    for (const EdgeKey& edge : edges) {
+        if (!mayGoOn()) {
+            missing.push_back(edge);
+            continue;
+        }
+        // Splits made since may have helped.
+        const Result<bool> recovered = recoverEdge(edge, std::min(options_.flipDepth, 1));
+        if (!recovered) return recovered.error();
+        if (*recovered || splitEdge(edge)) continue;
+        const Vec3& a = constraints_.mesh().position(edge.first);
+        const Vec3& b = constraints_.mesh().position(edge.second);
+        fail(constraints_.nameOfEdge(edge.first, edge.second), 0.5 * (a + b), "an edge could not be recovered");
+    }
+    return {};
+}
+
+Result<bool> ConstraintRecovery::recoverEdge(const EdgeKey& edge, int depth)
+{
+    if (!isWanted(edge)) return true;
+    switch (segments_.recover(edge.first, edge.second, depth)) {
+        case RecoveryStatus::Recovered: ++result_.counts.edgesByFlips; return true;
+        case RecoveryStatus::Stuck: return false;
+        case RecoveryStatus::VertexInWay: {
+            const VertexId vertex = segments_.obstacle().vertex[0];
+            if (!clearVertex(vertex))
+                return intersection(constraints_.nameOfEdge(edge.first, edge.second), segments_.obstacle());
+            if (constraints_.mesh().isVertexAlive(vertex)) {
+                splits_.splitEdgeAt(edge.first, edge.second, vertex);
+                ++result_.counts.edgeSteiner;
+                return true;
+            }
+            return recoverEdge(edge, depth);
+        }
+        case RecoveryStatus::Intersection: break;
+    }
+    if (splitPierced(segments_.obstacle())) {
+        constraints_.missingEdges.push_back(edge);
+        return true;
+    }
+    return intersection(constraints_.nameOfEdge(edge.first, edge.second), segments_.obstacle());
+}
+
+/// True if the vertex is none of the input's: then it was removed, or, if it is alive still, may become a node.
+bool ConstraintRecovery::clearVertex(VertexId vertex)
+{
+    if (result_.tets.nodeOf[vertex].isValid()) return false;
+    result_.tets.delaunay->remove(vertex);
+    return true;
+}
+
+bool ConstraintRecovery::splitEdge(const EdgeKey& edge)
+{
+    TetrahedralizationCounts& counts = result_.counts;
+    if (!mayInsert()) return false;
+    if (counts.exactSplits < maxExact_ && splits_.splitEdgeExactly(edge.first, edge.second)) {
+        ++counts.exactSplits;
+        // A new point on the face need not part the edge.
+        if (isWanted(edge)) constraints_.missingEdges.push_back(edge);
+        return true;
+    }
+    if (!splits_.splitEdgeAtCrossing(edge.first, edge.second, segments_.crossings())) return false;
+    ++counts.edgeSteiner;
+    return true;
+}
+
+// --- facets
+
+bool ConstraintRecovery::hasItsEdges(FacetId facet) const
+{
+    const auto corner = constraints_.cornersOf(facet);
+    const Triangulation3d& mesh = std::as_const(constraints_).mesh();
+    for (unsigned k = 0; k < 3; ++k) {
+        if (!mesh.findEdge(corner[k], corner[(k + 1) % 3]).isValid()) return false;
+    }
+    return true;
+}
+
+Result<void> ConstraintRecovery::recoverFacets()
+{
+    std::vector<FacetId>& missing = constraints_.missingFacets;
+    // Easy ones first: each that is there clears the way of its neighbours.
+    for (int pass = 0; pass < 2 && !missing.empty(); ++pass) {
+        std::vector<FacetId> facets;
+        facets.swap(missing);
+        for (const FacetId facet : facets) {
+            if (!mayGoOn() || !constraints_.missingEdges.empty()) {
+                missing.push_back(facet);
+                continue;
+            }
+            const int depth = pass == 0 ? std::min(options_.flipDepth, 1) : options_.flipDepth;
+            const Result<bool> recovered =
+                recoverFacet(facet, depth, pass == 0 ? FacetEffort::Cavity : FacetEffort::Star);
+            if (!recovered) return recovered.error();
+            if (!*recovered) missing.push_back(facet);
+        }
+    }
+    std::vector<FacetId> facets;
+    facets.swap(missing);
+    for (const FacetId facet : facets) {
+        if (!mayGoOn() || !constraints_.missingEdges.empty()) {
+            missing.push_back(facet);
+            continue;
+        }
+        const Result<bool> recovered = recoverFacet(facet, 0, FacetEffort::Star);
+        if (!recovered) return recovered.error();
+        if (*recovered || splitFacet(facet)) continue;
+        const auto corner = constraints_.cornersOf(facet);
+        const Triangulation3d& mesh = constraints_.mesh();
+        fail(constraints_.nameOfFacet(facet),
+             (1.0 / 3.0) * (mesh.position(corner[0]) + mesh.position(corner[1]) + mesh.position(corner[2])),
+             "a facet could not be recovered");
+    }
+    return {};
+}
+
+Result<bool> ConstraintRecovery::recoverFacet(FacetId facet, int depth, FacetEffort effort)
+{
+    if (!constraints_.surface().facets[facet].isAlive()) return true;
+    MESHER_INVARIANT(hasItsEdges(facet));
+    TetrahedralizationCounts& counts = result_.counts;
+    const RecoveryStatus status = facets_.recover(facet, depth, effort);
+    switch (status) {
+        case RecoveryStatus::Recovered:
+            counts.facetsByFlips += facets_.method() == FacetMethod::Flips ? 1 : 0;
+            counts.facetsByCavity += facets_.method() == FacetMethod::Cavity ? 1 : 0;
+            counts.facetsByStar += facets_.method() == FacetMethod::Star ? 1 : 0;
+            counts.starVertices += facets_.addedVertices();
+            return true;
+        case RecoveryStatus::Stuck: return false;
+        case RecoveryStatus::VertexInWay: {
+            const VertexId vertex = facets_.obstacle().vertex[0];
+            if (!clearVertex(vertex)) return intersection(constraints_.nameOfFacet(facet), facets_.obstacle());
+            if (constraints_.mesh().isVertexAlive(vertex)) {
+                splits_.splitFacetAt(facet, vertex);
+                ++counts.facetSteiner;
+                return true;
+            }
+            return recoverFacet(facet, depth, effort);
+        }
+        case RecoveryStatus::Intersection: break;
+    }
+    if (splitPierced(facets_.obstacle())) {
+        constraints_.missingFacets.push_back(facet);
+        return true;
+    }
+    return intersection(constraints_.nameOfFacet(facet), facets_.obstacle());
+}
+
+bool ConstraintRecovery::splitFacet(FacetId facet)
+{
+    TetrahedralizationCounts& counts = result_.counts;
+    if (!mayInsert()) return false;
+    if (counts.exactSplits < maxExact_ && splits_.splitFacetExactly(facet)) {
+        ++counts.exactSplits;
+        if (constraints_.surface().facets[facet].isAlive()) constraints_.missingFacets.push_back(facet);
+        return true;
+    }
+    if (!splits_.splitFacetAtCrossing(facet, facets_.crossing())) return false;
+    ++counts.facetSteiner;
+    return true;
+}
+
+/// Facets of two curved faces may cross where the faces do not: then the one in the way is refined on its face.
+bool ConstraintRecovery::splitPierced(const RecoveryObstacle& obstacle)
+{
+    TetrahedralizationCounts& counts = result_.counts;
+    if (counts.exactSplits >= maxExact_) return false;
+    const auto& v = obstacle.vertex;
+    bool isSplit = false;
+    if (v[2].isValid()) {
+        auto key = v;
+        std::sort(key.begin(), key.end());
+        const FacetId* facet = result_.tets.facetOf.find(key);
+        isSplit = facet != nullptr && splits_.splitFacetExactly(*facet);
+    } else {
+        isSplit = splits_.splitEdgeExactly(v[0], v[1]);
+    }
+    counts.exactSplits += isSplit ? 1 : 0;
+    return isSplit;
+}
+
+// --- what went wrong
+
+Error ConstraintRecovery::intersection(const std::string& name, const RecoveryObstacle& obstacle)
+{
+    const auto& v = obstacle.vertex;
+    std::string other;
+    if (!v[1].isValid()) {
+        other = constraints_.nameOfVertex(v[0]);
+    } else if (!v[2].isValid()) {
+        other = constraints_.nameOfEdge(v[0], v[1]);
+    } else {
+        auto key = v;
+        std::sort(key.begin(), key.end());
+        const FacetId* facet = result_.tets.facetOf.find(key);
+        if (facet != nullptr) other = constraints_.nameOfFacet(*facet);
+    }
+    return {ErrorCode::IntersectingConstraints, "the surface mesh intersects itself", name + " and " + other,
+            constraints_.modelPosition(obstacle.point),
+            "repair the model there, or make the surface mesh finer where it is curved"};
+}
+
+void ConstraintRecovery::fail(const std::string& entity, const Vec3& kernelPoint, const std::string& what)
+{
+    result_.failures.push_back({ErrorCode::DegenerateInput, what, entity, constraints_.modelPosition(kernelPoint),
+                                "make the surface mesh finer there"});
+}
+
+void ConstraintRecovery::failAll()
+{
+    const Triangulation3d& mesh = constraints_.mesh();
+    for (const EdgeKey& edge : constraints_.missingEdges) {
+        if (!isWanted(edge)) continue;
+        fail(constraints_.nameOfEdge(edge.first, edge.second),
+             0.5 * (mesh.position(edge.first) + mesh.position(edge.second)), "an edge was not recovered");
+    }
+    for (const FacetId facet : constraints_.missingFacets) {
+        if (!constraints_.surface().facets[facet].isAlive()) continue;
+        const auto corner = constraints_.cornersOf(facet);
+        fail(constraints_.nameOfFacet(facet), mesh.position(corner[0]), "a facet was not recovered");
+    }
+}
+
+}  // namespace mesher

@@ -1,0 +1,98 @@
+#include "tetrahedralization/segment_recovery.h"
+
+namespace mesher {
+
+namespace {
+
+constexpr std::uint32_t kTrialsPerDepth[] = {16, 400, 2500, 8000};
+
+}  // namespace
+
+/// A line through the inside of an edge is a special position that a flip may turn into one through a face.
+std::uint32_t SegmentRecovery::weigh(const std::vector<EdgeCrossing>& crossings)
+{
+    std::uint32_t weight = 0;
+    for (const EdgeCrossing& crossing : crossings) {
+        weight += crossing.kind == EdgeCrossing::Kind::Face ? 1u : 2u;
+    }
+    return weight;
+}
+
+RecoveryStatus SegmentRecovery::findObstacle(VertexId a, VertexId b)
+{
+    const Triangulation3d& mesh = constraints_.mesh();
+    for (const EdgeCrossing& crossing : found_) {
+        obstacle_ = {crossing.vertex, crossingPoint(mesh, a, b, crossing)};
+        switch (crossing.kind) {
+            case EdgeCrossing::Kind::Vertex: return RecoveryStatus::VertexInWay;
+            case EdgeCrossing::Kind::Edge:
+                if (constraints_.isConstraint(crossing.face.tet(), crossing.vertex[0], crossing.vertex[1]))
+                    return RecoveryStatus::Intersection;
+                break;
+            case EdgeCrossing::Kind::Face:
+                if (mesh.isFaceConstrained(crossing.face)) return RecoveryStatus::Intersection;
+                break;
+        }
+    }
+    return RecoveryStatus::Stuck;
+}
+
+RecoveryStatus SegmentRecovery::recover(VertexId a, VertexId b, int depth)
+{
+    while (true) {
+        crossings_.find(a, b, found_);
+        if (found_.empty()) {
+            flips_.accept();
+            constraints_.lockEdge(constraints_.mesh().findEdge(a, b), a, b);
+            return RecoveryStatus::Recovered;
+        }
+        const RecoveryStatus obstacle = findObstacle(a, b);
+        if (obstacle != RecoveryStatus::Stuck) return obstacle;
+        flips_.allowTrials(kTrialsPerDepth[depth]);
+        if (!improve(a, b, depth)) return RecoveryStatus::Stuck;
+        flips_.accept();
+    }
+}
+
+/// Tries the crossings from both ends to the middle: those next to an end have the best chance to be undone for good.
+bool SegmentRecovery::improve(VertexId a, VertexId b, int depth)
+{
+    const std::vector<EdgeCrossing> crossings = found_;
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        const std::size_t index = i % 2 == 0 ? i / 2 : crossings.size() - 1 - i / 2;
+        if (tryAt(crossings[index], a, b, i % 2 == 0 ? a : b, depth)) return true;
+    }
+    return false;
+}
+
+bool SegmentRecovery::lessens(VertexId a, VertexId b, std::size_t mark)
+{
+    crossings_.find(a, b, trial_);
+    if (weigh(trial_) < weigh(found_)) return true;
+    flips_.takeBackTo(mark);
+    return false;
+}
+
+bool SegmentRecovery::tryAt(const EdgeCrossing& crossing, VertexId a, VertexId b, VertexId apex, int depth)
+{
+    const Vec3 end = constraints_.mesh().position(apex);
+    // A fan about the end of the line has no face for the line to pass, so those tetrahedra are preferred.
+    const TetMeasure measure = [end](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+        const bool isFan = p == end || q == end || r == end || s == end;
+        return flatness(p, q, r, s) + (isFan ? 2.0 : 0.0);
+    };
+    const std::size_t mark = flips_.mark();
+    if (crossing.kind == EdgeCrossing::Kind::Edge) {
+        return flips_.removeEdge(crossing.vertex[0], crossing.vertex[1], depth, measure) && lessens(a, b, mark);
+    }
+    if (flips_.flipFace(crossing.face) && lessens(a, b, mark)) return true;
+    for (unsigned k = 0; k < 3; ++k) {
+        if (flips_.removeEdge(crossing.vertex[k], crossing.vertex[(k + 1) % 3], depth, measure) &&
+            lessens(a, b, mark)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace mesher

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "delaunay/constrained_tetrahedralization.h"
+#include "mesh/surface_splitter.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mesher {
+
+/// Two vertices that are to be joined, the smaller id first.
+using EdgeKey = std::pair<VertexId, VertexId>;
+
+/// The segments and facets of the surface mesh as they come to be constraints of the tetrahedralization: what is there is
+/// locked, what is not is listed. Edges of facets that are not yet there are locked for the time as well.
+/// Guarantees   flags and maps of the tetrahedralization agree with the surface mesh after each call
+class SurfaceConstraints
+{
+public:
+    SurfaceConstraints(SurfaceSplitter& surface, ConstrainedTetrahedralization& tets)
+        : surface_(surface), tets_(tets)
+    {
+    }
+
+    [[nodiscard]] const SurfaceMesh& surface() const { return surface_.mesh(); }
+    [[nodiscard]] SurfaceSplitter& splitter() { return surface_; }
+    [[nodiscard]] ConstrainedTetrahedralization& tets() { return tets_; }
+    [[nodiscard]] Triangulation3d& mesh() { return tets_.mesh(); }
+    [[nodiscard]] const Triangulation3d& mesh() const { return std::as_const(tets_).mesh(); }
+
+    [[nodiscard]] std::array<VertexId, 3> cornersOf(FacetId facet) const;
+    /// The live facets at the edge, in the order of their ids. Cost: the facets at a node, once all were listed by node.
+    std::vector<FacetId> facetsAt(VertexId a, VertexId b);
+    /// Invalid if the edge is no segment.
+    [[nodiscard]] SegmentId segmentAt(VertexId a, VertexId b) const;
+    /// Whether the edge is locked or bounds a constrained face.
+    [[nodiscard]] bool isConstraint(TetId tet, VertexId a, VertexId b) const;
+
+    void lockEdge(TetId tet, VertexId a, VertexId b);
+    void lockFacet(TetFace face);
+    /// Takes the locks from edges that are no segments.
+    void releaseTemporaryLocks();
+
+    /// Takes off the constraints what a split is to remove, so that its vertex can be inserted; then either `make` or
+    /// `restore` has to follow.
+    void release(const SurfaceSplit& split);
+    void restore(const SurfaceSplit& split);
+    /// Makes the released split, `vertex` being the new node: what it adds becomes a constraint, or is listed as missing.
+    void make(const SurfaceSplit& split, VertexId vertex);
+
+    /// "Edge3" for a segment, "Face6" for another edge of a facet or a facet, "Vertex2" …
+    std::string nameOfEdge(VertexId a, VertexId b);
+    [[nodiscard]] std::string nameOfFacet(FacetId facet) const;
+    [[nodiscard]] std::string nameOfVertex(VertexId vertex) const;
+    [[nodiscard]] Vec3 modelPosition(const Vec3& kernel) const { return (1.0 / tets_.scale) * kernel; }
+
+    /// What is yet to be recovered. Entries may have become obsolete.
+    std::vector<EdgeKey> missingEdges;
+    std::vector<FacetId> missingFacets;
+
+    /// Locks the facet if it is a face, else lists it and those of its edges that are missing.
+    void require(FacetId facet);
+    void require(SegmentId segment);
+
+private:
+    void requireEdge(VertexId a, VertexId b);
+    void listFacetsByNode();
+    void unlock(VertexId a, VertexId b);
+
+    SurfaceSplitter& surface_;
+    ConstrainedTetrahedralization& tets_;
+    std::vector<EdgeKey> temporaryLocks_;
+    /// Also dead ones; empty until it is asked for.
+    IdVector<NodeId, std::vector<FacetId>> facetsByNode_;
+};
+
+}  // namespace mesher
