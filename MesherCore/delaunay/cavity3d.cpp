@@ -20,6 +20,9 @@ std::array<VertexId, 3> facingPoint(VertexId f0, VertexId f1, VertexId f2)
     return {f1, f0, f2};
 }
 
+/// Tetrahedra that a cavity of replaced facets may grow by before it is given up.
+constexpr std::size_t kMostGrowth = 16;
+
 bool isSameFace(std::array<VertexId, 3> a, std::array<VertexId, 3> b)
 {
     std::sort(a.begin(), a.end());
@@ -75,8 +78,21 @@ inline void CavityOperator3d::prefetchAround(TetId tet) const
 bool CavityOperator3d::isSplitFace(const std::array<VertexId, 3>& face) const
 {
     if (split_.kind == CavitySplit3d::Kind::Face) return isSameFace(face, split_.vertex);
+    if (split_.kind == CavitySplit3d::Kind::Facets) {
+        std::array<VertexId, 3> ascending = face;
+        std::sort(ascending.begin(), ascending.end());
+        return std::find(split_.faces.begin(), split_.faces.end(), ascending) != split_.faces.end();
+    }
     const auto has = [&](VertexId v) { return std::find(face.begin(), face.end(), v) != face.end(); };
     return split_.kind == CavitySplit3d::Kind::Edge && has(split_.vertex[0]) && has(split_.vertex[1]);
+}
+
+/// Whether it is the edge that the point halves.
+bool CavityOperator3d::isSplitEdge(VertexId a, VertexId b) const
+{
+    const bool hasEdge =
+        split_.kind == CavitySplit3d::Kind::Edge || split_.kind == CavitySplit3d::Kind::Facets;
+    return hasEdge && split_.vertex[0].isValid() && isSameEdge({split_.vertex[0], split_.vertex[1]}, a, b);
 }
 
 bool CavityOperator3d::isCrossingForbidden(TetFace face) const
@@ -107,6 +123,7 @@ void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d&
             if constexpr (kConstrained) {
                 if (isCrossingForbidden({inner, static_cast<int>(face)})) {
                     addFace(record, face, outer);
+                    cavity_.constrainedFaces.push_back(outer);
                     continue;
                 }
             }
@@ -123,24 +140,93 @@ void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d&
     }
 }
 
-const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds,
-                                       const CavitySplit3d& split, const StaticFilter3d& filter)
+void CavityOperator3d::begin(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split)
 {
     cavity_.status = CavityStatus::Ready;
     cavity_.point = point;
     cavity_.tets.assign(seeds.begin(), seeds.end());
     cavity_.faces.clear();
+    cavity_.constraints.clear();
+    cavity_.constrainedFaces.clear();
     cavity_.blocker = {};
     cavity_.repairs = 0;
+    blockingFace_ = TetFace();
     split_ = split;
     collectSplitPerimeter(seeds);
     for (const TetId seed : seeds) mark(seed);
-    collectConflicts<true>(point, filter);
+}
+
+void CavityOperator3d::repair(std::span<const TetId> seeds, const StaticFilter3d& filter)
+{
     marked_ = cavity_.tets;
     while (cavity_.status == CavityStatus::Ready && repairOnce(seeds, filter)) refloodFromSeeds(seeds);
+    unmarkAll();
+}
+
+void CavityOperator3d::unmarkAll()
+{
     for (const TetId tet : marked_) unmark(tet);
+}
+
+const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds,
+                                       const CavitySplit3d& split, const StaticFilter3d& filter)
+{
+    grownSeeds_.assign(seeds.begin(), seeds.end());
+    for (;;) {
+        begin(point, grownSeeds_, split);
+        collectConflicts<true>(point, filter);
+        repair(grownSeeds_, filter);
+        // A tetrahedron at a replaced facet need not be in conflict with a point off the plane: the cavity grows where
+        // such a one would not see the point.
+        const TetId behind = tetBehindBlocker();
+        if (!behind.isValid() || grownSeeds_.size() >= seeds.size() + kMostGrowth) break;
+        grownSeeds_.push_back(behind);
+    }
+    if (cavity_.status == CavityStatus::Ready && split_.kind == CavitySplit3d::Kind::Facets &&
+        hasEnclosedVertex()) {
+        cavity_.status = CavityStatus::NotStarShaped;
+    }
     finish();
     return cavity_;
+}
+
+const Cavity3d& CavityOperator3d::findConflicts(const Vec3& point, TetId seed, const StaticFilter3d& filter)
+{
+    begin(point, {&seed, 1}, {});
+    collectConflicts<true>(point, filter);
+    for (const TetId tet : cavity_.tets) unmark(tet);
+    return cavity_;
+}
+
+const Cavity3d& CavityOperator3d::makeStarShaped(const StaticFilter3d& filter)
+{
+    const TetId seed = cavity_.tets.front();
+    for (const TetId tet : cavity_.tets) mark(tet);
+    repair({&seed, 1}, filter);
+    finish();
+    return cavity_;
+}
+
+/// The tetrahedron to grow by when facets of a curved surface are replaced.
+TetId CavityOperator3d::tetBehindBlocker() const
+{
+    const bool mayGrow = split_.kind == CavitySplit3d::Kind::Facets &&
+                         cavity_.status == CavityStatus::NotStarShaped && blockingFace_.isValid();
+    return mayGrow ? blockingFace_.tet() : TetId();
+}
+
+/// Seeds that are not in conflict with the point can close around a vertex, which would be lost.
+bool CavityOperator3d::hasEnclosedVertex()
+{
+    linker_.begin(mesh_.vertexLimit());
+    for (const CavityFace3d& face : cavity_.faces) {
+        for (const VertexId v : face.vertex) linker_.number(v);
+    }
+    const std::size_t onSurface = linker_.vertices().size();
+    for (const TetId tet : cavity_.tets) {
+        for (const VertexId v : mesh_.tet(tet).vertex) linker_.number(v);
+    }
+    return linker_.vertices().size() != onSurface;
 }
 
 void CavityOperator3d::finish()
@@ -169,6 +255,11 @@ void CavityOperator3d::collectSplitPerimeter(std::span<const TetId> seeds)
     splitPerimeter_.clear();
     splitsConstrainedEdge_ = false;
     if (split_.kind == CavitySplit3d::Kind::None) return;
+    if (split_.kind == CavitySplit3d::Kind::Facets) {
+        splitPerimeter_.assign(split_.perimeter.begin(), split_.perimeter.end());
+        splitsConstrainedEdge_ = split_.vertex[0].isValid();
+        return;
+    }
     for (const TetId tet : seeds) {
         for (int i = 0; i < 4; ++i) {
             const auto corners = mesh_.faceVertices({tet, i});
@@ -176,9 +267,7 @@ void CavityOperator3d::collectSplitPerimeter(std::span<const TetId> seeds)
             for (unsigned k = 0; k < 3; ++k) {
                 const VertexId a = corners[k];
                 const VertexId b = corners[(k + 1) % 3];
-                const bool isSplitEdge = split_.kind == CavitySplit3d::Kind::Edge &&
-                                         isSameEdge({split_.vertex[0], split_.vertex[1]}, a, b);
-                if (!isSplitEdge) splitPerimeter_.push_back({a, b});
+                if (!isSplitEdge(a, b)) splitPerimeter_.push_back({a, b});
             }
         }
         if (split_.kind != CavitySplit3d::Kind::Edge) continue;
@@ -306,11 +395,9 @@ bool CavityOperator3d::repairEnclosedEdges(std::span<const TetId> seeds, const S
         for (int edge = 0; edge < 6; ++edge) {
             const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
             const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
-            const bool isSplit = split_.kind == CavitySplit3d::Kind::Edge &&
-                                 isSameEdge({split_.vertex[0], split_.vertex[1]}, a, b);
             // The parts of a split face stand on its perimeter, constrained edges or not.
             const bool isNeeded = mesh_.isEdgeConstrained(tet, edge) || isSplitPerimeter(a, b);
-            if (isSplit || !isNeeded || !isEdgeEnclosed(tet, edge)) continue;
+            if (isSplitEdge(a, b) || !isNeeded || !isEdgeEnclosed(tet, edge)) continue;
             const TetId behind = tetBehindEdge(tet, edge, filter);
             if (behind.isValid() && takeOut(behind, seeds, CavityStatus::BlockedByConstraint)) return true;
             cavity_.status = CavityStatus::BlockedByConstraint;
@@ -336,6 +423,7 @@ bool CavityOperator3d::repairVisibility(std::span<const TetId> seeds, const Stat
         if (cavity_.status != CavityStatus::Ready) {
             if (mesh_.isFaceConstrained(face.outer)) cavity_.status = CavityStatus::BlockedByConstraint;
             cavity_.blocker = {v[0], v[1], v[2]};
+            blockingFace_ = face.outer;
             return false;
         }
     }
@@ -351,6 +439,7 @@ TetId CavityOperator3d::retriangulate(VertexId vertex)
     std::vector<TetId>& slots = cavity_.tets;
     linker_.begin(mesh_.vertexLimit());
     localFaces_.resize(faces.size());
+    if constexpr (kConstrained) created_.clear();
     for (std::size_t i = 0; i < faces.size(); ++i) {
         for (unsigned k = 0; k < 3; ++k) localFaces_[i].vertex[k] = linker_.number(faces[i].vertex[k]);
     }
@@ -385,6 +474,7 @@ void CavityOperator3d::carryConstraints(VertexId vertex)
 {
     for (std::size_t i = 0; i < localFaces_.size(); ++i) {
         const TetId tet = localFaces_[i].tet;
+        created_.push_back(tet);
         const CavityFaceConstraints3d& carried = cavity_.constraints[i];
         std::uint16_t& flags = mesh_.state(tet).flags;
         if (mesh_.isFaceConstrained(cavity_.faces[i].outer)) flags |= tet_flag::face(0);

@@ -54,27 +54,35 @@ struct Cavity3d
     std::uint32_t repairs = 0;
 };
 
-/// The constraint that an insertion is allowed to cut, because the point lies on it.
+/// The constraint that an insertion is allowed to cut: because the point lies on it, or because facets of a curved surface
+/// give way to the star of a point that is off their planes.
 struct CavitySplit3d
 {
     enum class Kind : std::uint8_t
     {
         None,
         Face,
-        Edge
+        Edge,
+        Facets
     };
 
     Kind kind = Kind::None;
-    /// The ends of the edge, or the corners of the face.
+    /// The ends of the edge, or the corners of the face. Of facets: the ends of the constrained edge that the point halves,
+    /// else invalid.
     std::array<VertexId, 3> vertex;
+    /// Of facets: the constrained faces to be replaced, each with ascending corners.
+    std::span<const std::array<VertexId, 3>> faces = {};
+    /// Of facets: the edges that make the new constrained faces with the point; each vertex of `faces` is at one of them.
+    std::span<const std::array<VertexId, 2>> perimeter = {};
 };
 
 /// Bowyer–Watson insertion in two phases: `find` evaluates and changes nothing, `commit` cannot fail.
 ///
 /// Guarantees   a committed cavity was star-shaped around its point, and every constrained face and edge that the split
 ///              did not name is still there; the tetrahedra around stay linked (checkTopology)
-/// Requires     `seeds` have the point in their closure (a ghost one: the point lies outside of its hull facet);
-///              the triangulation is (constrained) Delaunay, else the result is only star-shaped
+/// Requires     `seeds` have the point in their closure (a ghost one: the point lies outside of its hull facet), or are
+///              in conflict with it; of split facets they are the tetrahedra on both sides of each, and all around the
+///              split edge. The triangulation is (constrained) Delaunay, else the result is only star-shaped
 /// Cost         proportional to the cavity; no allocation once the scratch arrays have grown
 /// Reference    [bowyer1981] [watson1981] [gosselin] §1.2.2, §4.7.2
 class CavityOperator3d
@@ -87,6 +95,11 @@ public:
     const Cavity3d& find(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split,
                          const StaticFilter3d& filter);
 
+    /// The first half of `find` without a split: the tetrahedra in conflict and `constrainedFaces`, not yet star-shaped.
+    /// Who wants the point must ask `makeStarShaped` with nothing changed in between.
+    const Cavity3d& findConflicts(const Vec3& point, TetId seed, const StaticFilter3d& filter);
+    const Cavity3d& makeStarShaped(const StaticFilter3d& filter);
+
     /// Replaces the cavity found last, whose status must be Ready, by the star of `vertex`, whose position is the
     /// cavity's point. Returns a tetrahedron of the star.
     TetId commit(VertexId vertex);
@@ -96,6 +109,10 @@ public:
     TetId insertUnconstrained(VertexId vertex, TetId seed, const StaticFilter3d& filter);
 
     [[nodiscard]] const Cavity3d& cavity() const { return cavity_; }
+    /// The star that the last commit made.
+    [[nodiscard]] std::span<const TetId> created() const { return created_; }
+    /// The neighbours of the vertex of the last commit, the ghost included.
+    [[nodiscard]] std::span<const VertexId> neighbours() const { return linker_.vertices(); }
     [[nodiscard]] std::size_t bytes() const;
 
 private:
@@ -113,9 +130,15 @@ private:
     void prefetchAround(TetId tet) const;
     bool isCrossingForbidden(TetFace face) const;
     bool isSplitFace(const std::array<VertexId, 3>& face) const;
+    bool isSplitEdge(VertexId a, VertexId b) const;
     bool isSplitPerimeter(VertexId a, VertexId b) const;
     void collectSplitPerimeter(std::span<const TetId> seeds);
     void addFace(const TetRecord& inner, unsigned face, TetFace outer);
+    void begin(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split);
+    void repair(std::span<const TetId> seeds, const StaticFilter3d& filter);
+    void unmarkAll();
+    TetId tetBehindBlocker() const;
+    bool hasEnclosedVertex();
 
     void refloodFromSeeds(std::span<const TetId> seeds);
     bool repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter);
@@ -143,6 +166,10 @@ private:
     Cavity3d cavity_;
     CavitySplit3d split_;
     std::vector<TetId> marked_;
+    std::vector<TetId> grownSeeds_;
+    std::vector<TetId> created_;
+    /// The face in the way, seen from outside; invalid if it is an edge.
+    TetFace blockingFace_;
     std::vector<TetId> previous_;
     std::vector<LocalFace> localFaces_;
     EdgeLinker<TetFace> linker_;

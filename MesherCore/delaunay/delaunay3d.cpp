@@ -283,6 +283,25 @@ const Cavity3d& Delaunay3d::findCavity(Vec3 point, const Location3d& location, C
     return cavities_.find(point, seeds_, split, filter_);
 }
 
+const Cavity3d& Delaunay3d::findCavity(Vec3 point, std::span<const TetId> seeds, const CavitySplit3d& split)
+{
+    point = withoutNegativeZero(point);
+    expectPointsIn({point, point});
+    return cavities_.find(point, seeds, split, filter_);
+}
+
+const Cavity3d& Delaunay3d::findConflicts(Vec3 point, TetId seed)
+{
+    point = withoutNegativeZero(point);
+    expectPointsIn({point, point});
+    return cavities_.findConflicts(point, seed, filter_);
+}
+
+std::span<const TetId> Delaunay3d::created() const
+{
+    return isRemovalLast_ ? removal_->created() : cavities_.created();
+}
+
 Insertion3d Delaunay3d::commit(VertexClass classification)
 {
     const Cavity3d& cavity = cavities_.cavity();
@@ -294,6 +313,7 @@ Insertion3d Delaunay3d::commit(VertexClass classification)
     }
     const VertexId vertex = mesh_.addVertex(cavity.point, classification);
     recent_ = cavities_.commit(vertex);
+    isRemovalLast_ = false;
     return {InsertionStatus::Inserted, vertex, recent_, {}};
 }
 
@@ -317,6 +337,7 @@ RemovalStatus Delaunay3d::remove(VertexId vertex)
         case VertexHole3d::Ready: break;
     }
     recent_ = removal_->commit();
+    isRemovalLast_ = true;
     return RemovalStatus::Removed;
 }
 

@@ -135,6 +135,15 @@ public:
     /// The cavity of a point in a located place, for callers that look before they insert; `commit` may follow
     /// as long as nothing else has changed.
     const Cavity3d& findCavity(Vec3 point, const Location3d& location, ConstraintPolicy policy);
+    /// The same from tetrahedra that the caller knows to be in conflict, see CavityOperator3d::find.
+    const Cavity3d& findCavity(Vec3 point, std::span<const TetId> seeds, const CavitySplit3d& split);
+    /// In two halves from one tetrahedron in conflict, for callers that look at the constraints in between.
+    const Cavity3d& findConflicts(Vec3 point, TetId seed);
+    const Cavity3d& makeStarShaped() { return cavities_.makeStarShaped(filter_); }
+    /// The tetrahedra that the last commit or removal of this class made, ghosts included.
+    [[nodiscard]] std::span<const TetId> created() const;
+    /// The neighbours that the vertex of the last commit has, the ghost included.
+    [[nodiscard]] std::span<const VertexId> neighboursOfCommitted() const { return cavities_.neighbours(); }
     /// Inserts the point of the cavity found last, whose status must be Ready.
     Insertion3d commit(VertexClass classification = {});
 
@@ -179,6 +188,7 @@ private:
     Random random_;
     int dimension_ = -1;
     TetId recent_;
+    bool isRemovalLast_ = false;
     std::vector<TetId> seeds_;
     DelaunayCounters3d counters_;
     /// The vertices, by place, as long as they do not span space.

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace mesher {
@@ -69,6 +70,9 @@ public:
             return hashed_[slotFor(from, to)].value;
         return table_[from * stride_ + to];
     }
+
+    /// The numbered vertices of the surface, in the order of their numbers.
+    [[nodiscard]] std::span<const VertexId> vertices() const { return vertices_; }
 
     [[nodiscard]] std::size_t bytes() const
     {

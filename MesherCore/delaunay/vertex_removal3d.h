@@ -38,6 +38,8 @@ public:
     VertexHole3d find(VertexId vertex);
     /// Fills the hole found last, which must be Ready, and removes the vertex. Returns a tetrahedron of the filling.
     TetId commit();
+    /// The filling that the last commit made.
+    [[nodiscard]] const std::vector<TetId>& created() const { return replacement_.created(); }
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

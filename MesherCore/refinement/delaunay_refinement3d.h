@@ -1,0 +1,86 @@
+#pragma once
+
+#include "base/budget.h"
+#include "base/run_context.h"
+#include "delaunay/constrained_tetrahedralization.h"
+#include "mesh/surface_splitter.h"
+#include "refinement/boundary_split3d.h"
+#include "refinement/length_scale3d.h"
+#include "refinement/refinement_criteria.h"
+#include "refinement/small_angle_guard.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace mesher {
+
+enum class BoundaryPolicy : std::uint8_t
+{
+    Split,  ///< curves and facets are split where they are encroached or too large
+    Frozen  ///< the surface mesh stays as it is
+};
+
+struct RefinementCounts3d
+{
+    std::uint64_t sinkInsertions =
+        0;  ///< of tetrahedra with their own circumcentre, before the boundary is touched
+    std::uint64_t sizeInsertions = 0;     ///< of tetrahedra that are too large
+    std::uint64_t qualityInsertions = 0;  ///< of tetrahedra that are bad
+    std::uint64_t segmentSplits = 0;
+    std::uint64_t facetSplits = 0;
+    std::uint64_t rejectedCentres = 0;  ///< circumcentres that would have encroached upon the boundary
+    std::uint64_t refusedSegments = 0;  ///< not split: limits, or no way to
+    std::uint64_t refusedFacets = 0;
+    std::uint64_t neighbourSplits = 0;    ///< facets split in the place of one that could not be
+    std::uint64_t abortedInsertions = 0;  ///< no cavity around the circumcentre was star-shaped
+    std::uint64_t cavityRepairs = 0;      ///< tetrahedra taken out of cavities to make them star-shaped
+    BoundarySplitCounts boundary;
+};
+
+/// Why a tetrahedron stayed bad.
+enum class LeftReason3d : std::uint8_t
+{
+    SmallInputAngle,  ///< beside `angle`
+    LengthScale,      ///< further refinement would go too far below the length scale
+    Boundary,         ///< an entity beside it may not or cannot be split any further
+    Resolution,       ///< no cavity, or no place for a vertex in double arithmetic
+    Unfinished        ///< the run was ended before
+};
+
+struct LeftTet3d
+{
+    TetId tet;
+    LeftReason3d reason = LeftReason3d::Unfinished;
+    std::optional<SmallInputAngle> angle;
+    EntityRef entity;  ///< of the boundary in the way; none inside
+};
+
+struct DelaunayRefinementOptions3d
+{
+    VolumeSizing sizing;
+    TetQualityLimits quality;
+    BoundaryPolicy boundary = BoundaryPolicy::Split;
+    /// Segments and facets below it are not split, model units; 0 leaves it to the surface splitter.
+    double floor = 0.0;
+};
+
+struct DelaunayRefinement3d
+{
+    /// Done; CannotImprove when tetrahedra are left bad; or the limit that ended it.
+    StopReason stopReason = StopReason::Done;
+    RefinementCounts3d counts;
+    std::vector<LeftTet3d> left;
+};
+
+/// Refines a constrained Delaunay tetrahedralization until every tetrahedron of a region has the size and the quality that
+/// is wanted: segments before facets before tetrahedra, the worst first.
+/// Guarantees   constraints, maps and regions agree with the surface mesh at any time (refinement_check.h)
+/// Terminates   with a field that is bounded from below: no entity is split far below its length scale. The budget ends it
+///              in any case
+/// Reference    [gosselin] sections 4.3 and 4.7.2
+DelaunayRefinement3d refineDelaunay3d(ConstrainedTetrahedralization& tetrahedralization,
+                                      SurfaceSplitter& splitter, const DelaunayRefinementOptions3d& options,
+                                      Budget& budget, RunContext& context);
+
+}  // namespace mesher

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "base/id_vector.h"
+#include "delaunay/constrained_tetrahedralization.h"
+#include "sizing/sizing_field.h"
+
+#include <span>
+#include <vector>
+
+namespace mesher {
+
+/// How large tetrahedra are to be.
+struct VolumeSizing
+{
+    /// Tetrahedra grow with the local feature size. If false, only the user's field asks for sizes; without a field, only
+    /// quality refines.
+    bool usesLocalFeatureSize = true;
+    double refinement = 1.0;  ///< R > 0: the length scale at the boundary is lfs / R
+    double grading = 1.0;     ///< G > 0: length scales grow by at most distance / G
+    /// Edge length wanted by the user, model units, or none; must outlive the run.
+    const SizingField* field = nullptr;
+
+    [[nodiscard]] bool isActive() const { return usesLocalFeatureSize || field != nullptr; }
+};
+
+/// The length scales LS of the vertices: what edges at a vertex are to be long. They stand in the vertex records, in units
+/// of the tetrahedralization. Beside them stands a guard scale, which counts the local feature size in any case: no entity
+/// is refined for quality far below it.
+/// Guarantees   size(v) >= guard(v) > 0; the initial ones do not depend on the numbering
+/// Reference    [gosselin] section 4.4, equations 4.2 and 4.3; graded at once instead of in the order of insertion
+class LengthScale3d
+{
+public:
+    LengthScale3d(ConstrainedTetrahedralization& tetrahedralization, const VolumeSizing& sizing);
+
+    /// At all vertices of the initial tetrahedralization. Cost: one Dijkstra search, or two if the scales differ.
+    void setInitial();
+
+    /// The user's wish, in units of the tetrahedralization; kNoSize without a field.
+    [[nodiscard]] double wantedAt(const Vec3& position) const;
+    [[nodiscard]] double wantedNear(const Vec3& position, double radius) const;
+    [[nodiscard]] bool hasField() const { return sizing_.field != nullptr; }
+    [[nodiscard]] bool isActive() const { return sizing_.isActive(); }
+
+    [[nodiscard]] double size(VertexId v) const { return mesh_.lengthScale(v); }
+    [[nodiscard]] double guard(VertexId v) const { return guard_.empty() ? mesh_.lengthScale(v) : guard_[v]; }
+
+    /// Equation 4.2 for a new vertex over its neighbours, the user's wish, and the ceilings.
+    void assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling = kNoSize,
+                double guardCeiling = kNoSize);
+    /// Lowers the scales around a vertex as far as its own is too low for them; `lowered` receives those that changed.
+    void gradeAgainFrom(VertexId v, std::vector<VertexId>& lowered);
+
+private:
+    void setGuard(VertexId v, double value);
+    [[nodiscard]] std::vector<double> localFeatureSizes() const;
+    void lowerToLocalFeatures(TetId tet, std::vector<double>& lfs) const;
+
+    ConstrainedTetrahedralization& tetrahedralization_;
+    Triangulation3d& mesh_;
+    VolumeSizing sizing_;
+    /// Only where it differs from the size.
+    IdVector<VertexId, double> guard_;
+    std::vector<TetId> star_;
+    std::vector<VertexId> front_;
+};
+
+}  // namespace mesher

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "base/budget.h"
+#include "base/result.h"
+#include "base/run_context.h"
+#include "delaunay/constrained_tetrahedralization.h"
+#include "mesh/surface_splitter.h"
+#include "refinement/delaunay_refinement3d.h"
+
+namespace mesher {
+
+struct RefineVolumeOptions
+{
+    VolumeSizing sizing;
+    TetQualityLimits quality;
+    BoundaryPolicy boundary = BoundaryPolicy::Split;
+    /// Segments and facets below it are not split, model units. DEFAULT: what the surface splitter allows
+    double floor = 0.0;
+    BudgetLimits limits;
+};
+
+struct RefinedVolume
+{
+    StopReason stopReason = StopReason::Done;
+    RefinementCounts3d counts;
+    std::uint64_t vertices = 0;  ///< of the tetrahedralization
+    std::uint64_t tets = 0;      ///< of regions
+    std::uint64_t leftForSmallAngles = 0;
+    /// Tetrahedra of regions that are too large or bad still, each with the reason.
+    std::vector<LeftTet3d> left;
+};
+
+/// Refines the inside of a model to the sizes and the quality that are wanted, splitting its surface mesh along.
+/// Guarantees   surface mesh and tetrahedralization agree (refinement_check.h), also when it ends early; the same input
+///              gives the same mesh
+/// Refuses      options out of range: InvalidArgument
+/// Terminates   see refineDelaunay3d
+/// Reference    [gosselin] chapter 4
+Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedralization,
+                                   SurfaceSplitter& splitter, const RefineVolumeOptions& options,
+                                   RunContext& context);
+
+}  // namespace mesher

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "delaunay/triangulation3d.h"
+#include "mesh/surface_mesh.h"
+#include "quality/tet_measures.h"
+#include "refinement/length_scale3d.h"
+
+#include <optional>
+
+namespace mesher {
+
+/// Which tetrahedra are bad.
+struct TetQualityLimits
+{
+    bool isActive = true;
+    TetMeasure measure = TetMeasure::MinimumDihedralSine;
+    std::optional<double>
+        threshold;                   ///< score below which a tetrahedron is bad. DEFAULT: that of the measure
+    double largestDihedral = 155.0;  ///< degrees, beyond which it is bad whatever it scores; 180 is off
+};
+
+enum class TetNeed : std::uint8_t
+{
+    Nothing,
+    Size,
+    Quality
+};
+
+/// What a tetrahedron needs, and how urgently: the larger the key, the worse.
+struct TetVerdict
+{
+    TetNeed need = TetNeed::Nothing;
+    double key = 0.0;
+};
+
+/// Why an entity may be split: sizes are reached exactly, quality and encroachment go further, down to a fifth.
+enum class SplitCause : std::uint8_t
+{
+    Size,
+    Quality
+};
+
+/// Decides what is to be refined, and what must not be refined any more.
+/// Reference    [gosselin] sections 4.3 to 4.5. Equation 4.1 is used with the sign of its inequality and the number of its
+///              terms corrected: an entity of n vertices is split only if their mean LS < 2 lambda r / sqrt(n - 1); lambda
+///              is 1 for size and 5 for quality
+class RefinementCriteria3d
+{
+public:
+    static constexpr double kQualityLambda = 5.0;
+
+    RefinementCriteria3d(const Triangulation3d& mesh, const LengthScale3d& scale,
+                         const TetQualityLimits& limits);
+
+    /// Of a live tetrahedron in a region. One that is bad and may not be refined any more needs nothing.
+    [[nodiscard]] TetVerdict judge(TetId tet) const;
+    /// Bad by the limits, whatever the length scale says.
+    [[nodiscard]] bool isBad(TetId tet) const;
+    [[nodiscard]] bool isSink(TetId tet) const;
+    [[nodiscard]] std::optional<Vec3> circumcentre(TetId tet) const;
+
+    [[nodiscard]] bool isTooLong(VertexId a, VertexId b) const;
+    [[nodiscard]] bool isTooLarge(const std::array<VertexId, 3>& facet) const;
+    /// Equation 4.1 for quality: false where a further split would go too far below the length scale.
+    [[nodiscard]] bool maySplit(VertexId a, VertexId b) const;
+    [[nodiscard]] bool maySplit(const std::array<VertexId, 3>& facet) const;
+
+private:
+    struct Shape;
+
+    [[nodiscard]] Shape shapeOf(TetId tet) const;
+    [[nodiscard]] double sizeExcess(const Shape& shape) const;
+    [[nodiscard]] double badness(const Shape& shape) const;
+    [[nodiscard]] bool mayRefine(const Shape& shape) const;
+
+    const Triangulation3d& mesh_;
+    const LengthScale3d& scale_;
+    TetQualityLimits limits_;
+    double threshold_;
+    double squaredCosineOfSmall_;  ///< of dihedral angles below which q2 calls a tetrahedron bad
+    double squaredCosineOfLarge_;
+};
+
+}  // namespace mesher

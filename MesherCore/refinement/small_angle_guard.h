@@ -1,0 +1,47 @@
+#pragma once
+
+#include "brep/brep_ids.h"
+#include "delaunay/constrained_tetrahedralization.h"
+#include "mesh/surface_mesh.h"
+
+#include <optional>
+#include <string>
+
+namespace mesher {
+
+/// A small angle of the model inside a solid.
+struct SmallInputAngle
+{
+    EntityRef entity;  ///< the edge at which two faces meet, or the vertex at which two edges meet
+    double degrees = 0.0;
+};
+
+/// The small angles of the input, which no refinement can remove: what tetrahedra beside them may not be refined for, and
+/// what is to blame for those that are left bad.
+/// Guarantees   read off the initial tetrahedralization: dihedral angles between facets at a segment over a region, and
+///              angles between segments at a model vertex
+/// Reference    [gosselin] section 4.3: below 90 degrees they can make edges shorter and shorter
+class SmallAngleGuard
+{
+public:
+    /// Dihedral angles below it are small.
+    static constexpr double kSmallDihedral = 60.0;
+    static constexpr double kSmallCorner = 45.0;
+
+    SmallAngleGuard(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface);
+
+    /// The smallest angle that a tetrahedron has a vertex on, if any.
+    [[nodiscard]] std::optional<SmallInputAngle>
+    blameFor(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface,
+             TetId tet) const;
+    [[nodiscard]] bool hasAny() const { return !edges_.empty() || !vertices_.empty(); }
+
+private:
+    void measureSegments(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface);
+    void measureCorners(const SurfaceMesh& surface);
+
+    IndexedMap<std::uint32_t, double> edges_;     ///< by model edge, degrees
+    IndexedMap<std::uint32_t, double> vertices_;  ///< by model vertex, degrees
+};
+
+}  // namespace mesher
