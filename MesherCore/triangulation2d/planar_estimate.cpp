@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace mesher {
@@ -11,6 +12,8 @@ namespace {
 
 /// Triangles per area in units of the size; measured on a square and an annulus at uniform size.
 constexpr double kTrianglesPerSquare = 2.72;
+/// Where the largest size is less than this times the smallest one, the size at the middle stands for all.
+constexpr double kEvenSizes = 1.6;
 constexpr std::size_t kMostSubdivisions = 100'000;
 
 /// A part of a triangle of the initial triangulation.
@@ -52,8 +55,8 @@ private:
         const Vec2 middle = (1.0 / 3.0) * (a + b + c);
         const double size = sizeAt(middle, part.whole);
         const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
-        const double smallest = smallestIn(part, middle, reach, size);
-        const bool isResolved = reach < smallest || !varies(part, size, smallest);
+        const auto [smallest, largest] = rangeIn(part, middle, reach, size);
+        const bool isResolved = reach < smallest || largest < kEvenSizes * smallest;
         if (!isResolved && subdivisions_ < kMostSubdivisions) {
             ++subdivisions_;
             divide(part);
@@ -84,21 +87,19 @@ private:
         return size;
     }
 
-    /// A field may be small at a place between all those that it is asked at.
-    [[nodiscard]] double smallestIn(const Part& part, Vec2 middle, double reach, double size) const
+    /// Of the sizes in a part. A field may be small at a place between all those that it is asked at.
+    [[nodiscard]] std::pair<double, double> rangeIn(const Part& part, Vec2 middle, double reach,
+                                                    double size) const
     {
-        for (const Vec2 p : part.corner) size = std::min(size, sizeAt(p, part.whole));
-        if (sizing_.field == nullptr) return size;
+        std::pair<double, double> range = {size, size};
+        for (const Vec2 p : part.corner) {
+            const double there = sizeAt(p, part.whole);
+            range = {std::min(range.first, there), std::max(range.second, there)};
+        }
+        if (sizing_.field == nullptr) return range;
         const double unit = domain_.scale();
-        return std::min(size, unit * sizing_.field->smallestNear(domain_.toSpace(middle), reach / unit));
-    }
-
-    [[nodiscard]] bool varies(const Part& part, double size, double smallest) const
-    {
-        constexpr double kTolerance = 0.2;
-        if (smallest < (1.0 - kTolerance) * size) return true;
-        return std::any_of(part.corner.begin(), part.corner.end(),
-                           [&](Vec2 p) { return sizeAt(p, part.whole) > (1.0 + kTolerance) * size; });
+        const double inside = unit * sizing_.field->smallestNear(domain_.toSpace(middle), reach / unit);
+        return {std::min(range.first, inside), range.second};
     }
 
     const PlanarDomain& domain_;

@@ -5,22 +5,12 @@
 #include <Standard_Failure.hxx>
 #include <Standard_Type.hxx>
 
-#include <iostream>
 #include <mutex>
 #include <new>
-#include <streambuf>
 
 namespace mesher {
 
 namespace {
-
-/// Swallows what is written to it.
-class NullBuffer final : public std::streambuf
-{
-protected:
-    int_type overflow(int_type c) override { return traits_type::not_eof(c); }
-    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
-};
 
 std::mutex& occtMutex()
 {
@@ -53,8 +43,6 @@ struct OcctSilence::State
 {
     std::unique_lock<std::mutex> lock{occtMutex()};
     Message_SequenceOfPrinters printers;
-    NullBuffer nothing;
-    std::streambuf* output = nullptr;
 };
 
 OcctSilence::OcctSilence() : state_(std::make_unique<State>())
@@ -62,12 +50,10 @@ OcctSilence::OcctSilence() : state_(std::make_unique<State>())
     Message_SequenceOfPrinters& printers = Message::DefaultMessenger()->ChangePrinters();
     state_->printers = printers;
     printers.Clear();
-    state_->output = std::cout.rdbuf(&state_->nothing);
 }
 
 OcctSilence::~OcctSilence()
 {
-    std::cout.rdbuf(state_->output);
     Message::DefaultMessenger()->ChangePrinters() = state_->printers;
 }
 
