@@ -118,8 +118,10 @@ private:
         }
         if (isTurned) area = -area;
         if (std::abs(area) <= std::max(face.tolerance, 1e-12 * length_) * length_) {
-            return broken(nameOf(id), "the face has no area: " + shortNumber(area), {},
-                          "remove or repair the face");
+            return broken(nameOf(id),
+                          "the face has no area (" + shortNumber(area) +
+                              "): its wire runs back on itself or crosses itself",
+                          {}, "remove or repair the face");
         }
         if (area < 0.0)
             return broken(nameOf(id), "the wires of the face run the wrong way round", {}, "repair the face");

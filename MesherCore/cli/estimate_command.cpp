@@ -23,16 +23,17 @@ ExitStatus runEstimate(const MeshCommand& command, Console console)
     const Result<ReadModel> read = readModel(command.model, ReadOptions{command.heals});
     if (!read) return tell(read.error(), ExitStatus::Failed, console);
     const Result<PlanarCurveComplex> complex = planarModel(read.value().model, command.options);
-    if (!complex) return tell(complex.error(), ExitStatus::Failed, console);
+    if (!complex) return tell(inModel(complex.error(), command.model), ExitStatus::Failed, console);
     RunContext context;
     const Result<MeshEstimate> found =
         estimatePlanar(complex.value(), command.options, sizes.value(), context);
-    if (!found) return tell(found.error(), ExitStatus::Failed, console);
+    if (!found) return tell(inModel(found.error(), command.model), ExitStatus::Failed, console);
     const MeshEstimate& estimate = found.value();
     console.out << std::setprecision(3) << "elements: about " << estimate.elements << "\nmemory: about "
                 << estimate.bytes / 1e6 << " MB\ntime: about " << estimate.seconds << " s\n";
     const Result<void> affordable = checkAffordable(estimate, command.options);
-    return affordable ? ExitStatus::Done : tell(affordable.error(), ExitStatus::Failed, console);
+    return affordable ? ExitStatus::Done
+                      : tell(inModel(affordable.error(), command.model), ExitStatus::Failed, console);
 }
 
 }  // namespace mesher

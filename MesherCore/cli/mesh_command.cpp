@@ -44,7 +44,8 @@ public:
         finishStatus();
         writeReport();
         if (isDone) summarise();
-        for (const Error& failure : report_.failures) tell(failure, ExitStatus::Failed, console_);
+        for (const Error& failure : report_.failures)
+            tell(inModel(failure, command_.model), ExitStatus::Failed, console_);
         return status_;
     }
 

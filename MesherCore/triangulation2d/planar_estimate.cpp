@@ -79,11 +79,22 @@ private:
         }
     }
 
+    /// By the length scales of the corners and of the subcurves among the sides, between whose ends they are interpolated.
     [[nodiscard]] double sizeAt(Vec2 p, TriangleId whole) const
     {
+        const Triangle2d& record = mesh_.triangle(whole);
         double size = wantedSize(domain_, sizing_, p);
-        for (const VertexId v : mesh_.triangle(whole).v)
-            size = std::min(size, mesh_.lengthScale(v) + length(p - mesh_.position(v)) / sizing_.grading);
+        for (unsigned i = 0; i < 3; ++i) {
+            const VertexId a = record.v[nextCorner(i)];
+            const VertexId b = record.v[previousCorner(i)];
+            const Vec2 along = mesh_.position(b) - mesh_.position(a);
+            const Vec2 toP = p - mesh_.position(a);
+            // A side that is no subcurve stands for its first end only.
+            const double share =
+                record.isConstrained(i) ? std::clamp(dot(toP, along) / squaredLength(along), 0.0, 1.0) : 0.0;
+            const double scale = (1.0 - share) * mesh_.lengthScale(a) + share * mesh_.lengthScale(b);
+            size = std::min(size, scale + length(toP - share * along) / sizing_.grading);
+        }
         return size;
     }
 

@@ -175,7 +175,7 @@ int main(int count, char** arguments)
         return 2;
     }
     const std::string tests = std::string(arguments[1]) + "/", demos = std::string(arguments[2]) + "/";
-    const std::vector<gp_Pnt> bowTie = {{0, 0, 0}, {2, 1, 0}, {2, 0, 0}, {0, 1, 0}};
+    const std::vector<gp_Pnt> bowTie = {{0, 0, 0}, {2, 1, 0}, {2, 0, 0}, {0, 2, 0}};
     const std::vector<gp_Pnt> onLine = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
     const std::vector<gp_Pnt> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const bool isWritten = write(gasket(), demos + "gasket.brep") &&

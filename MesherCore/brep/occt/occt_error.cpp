@@ -5,6 +5,7 @@
 #include <Standard_Failure.hxx>
 #include <Standard_Type.hxx>
 
+#include <iostream>
 #include <mutex>
 #include <new>
 
@@ -28,7 +29,7 @@ Error errorOfException(const std::string& entity, const std::string& remedy)
     } catch (const Standard_Failure& failure) {
         reason = failure.DynamicType()->Name();
         const char* text = failure.GetMessageString();
-        if (text != nullptr && *text != '\0') reason += std::string(": ") + text;
+        if (text != nullptr && *text != '\0') reason.append(": ").append(text);
     } catch (const std::bad_alloc&) {
         reason = "out of memory";
     } catch (const std::exception& exception) {
@@ -52,9 +53,21 @@ OcctSilence::OcctSilence() : state_(std::make_unique<State>())
     printers.Clear();
 }
 
-OcctSilence::~OcctSilence()
+OcctSilence::~OcctSilence() { Message::DefaultMessenger()->ChangePrinters() = state_->printers; }
+
+/// Swallows what is written to it.
+class StandardOutputSilence::NullBuffer final : public std::streambuf
 {
-    Message::DefaultMessenger()->ChangePrinters() = state_->printers;
+protected:
+    int_type overflow(int_type c) override { return traits_type::not_eof(c); }
+    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+};
+
+StandardOutputSilence::StandardOutputSilence()
+    : nothing_(std::make_unique<NullBuffer>()), output_(std::cout.rdbuf(nothing_.get()))
+{
 }
+
+StandardOutputSilence::~StandardOutputSilence() { std::cout.rdbuf(output_); }
 
 }  // namespace mesher
