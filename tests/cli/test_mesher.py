@@ -7,6 +7,7 @@ import json
 import math
 import os
 import re
+import shutil
 import signal
 import struct
 import subprocess
@@ -206,6 +207,70 @@ class TestMesh(Case):
             process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
         self.assertIn(os.listdir(self.folder), ([], ["r.json"]))
+
+
+def turned(axis, angle):
+    """The matrix of a rotation, by Rodrigues' formula."""
+    length = math.hypot(*axis)
+    x, y, z = (c / length for c in axis)
+    c, s = math.cos(angle), math.sin(angle)
+    return [[c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s],
+            [y * x * (1 - c) + z * s, c + y * y * (1 - c), y * z * (1 - c) - x * s],
+            [z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)]]
+
+
+class TestPlacement(Case):
+    """Faces in any plane of space."""
+
+    def mesh_placed(self, model, rotation, translation=(0, 0, 0)):
+        """Meshes a copy of the model that its location turns and moves; returns nodes, triangles and the report."""
+        rows = "\n".join(" ".join(repr(float(value)) for value in (*row, t)) for row, t in zip(rotation, translation))
+        text = (DATA / model).read_text().replace("Locations 0", "Locations 1\n1\n" + rows).rstrip()
+        self.assertTrue(text.endswith("+1 0"))
+        (self.folder / "placed.brep").write_text(text[:-1] + "1\n")
+        self.expect(0, "mesh", "placed.brep", "--dimension", 2, "--size", 0.2, "--check", "-o", "m.msh", "--report", "r.json")
+        self.expect(0, "check", "m.msh", "--model", "placed.brep")
+        return *read_msh(self.folder / "m.msh"), json.loads((self.folder / "r.json").read_text())
+
+    def test_placements_without_rounding_give_the_same_mesh(self):
+        identity = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        for model in ("plate.brep", "inclusion.brep"):
+            nodes, triangles, report = self.mesh_placed(model, identity)
+            for rotation in ([[0, 0, 1], [1, 0, 0], [0, 1, 0]], [[1, 0, 0], [0, 0, -1], [0, 1, 0]],
+                             [[-1, 0, 0], [0, 1, 0], [0, 0, -1]], [[0, -1, 0], [0, 0, -1], [1, 0, 0]]):
+                with self.subTest(model=model, rotation=rotation):
+                    placed_nodes, placed_triangles, placed_report = self.mesh_placed(model, rotation)
+                    expected = {tag: tuple(sum(r * c for r, c in zip(row, p)) for row in rotation) for tag, p in nodes.items()}
+                    self.assertEqual(placed_nodes, expected)
+                    self.assertEqual(placed_triangles, triangles)
+                    self.assertEqual(placed_report["counts"], report["counts"])
+
+    def test_nodes_of_a_tilted_face_lie_in_its_plane(self):
+        size = math.hypot(4, 2)
+        for model, area in [("plate.brep", 8 - math.pi / 4), ("inclusion.brep", 8)]:
+            for axis, angle, translation in [((1, 2, 3), 1, (0, 0, 0)), ((-3, 1, 0.2), 2.5, (5, -7, 11)),
+                                             ((0, 1, 1e-3), 1.2, (-20, 3, 0.1)), ((1, 1, 1), 3, (1, 1, 1))]:
+                with self.subTest(model=model, axis=axis):
+                    rotation = turned(axis, angle)
+                    nodes, _, report = self.mesh_placed(model, rotation, translation)
+                    normal = [row[2] for row in rotation]
+                    for p in nodes.values():
+                        offset = [a - b for a, b in zip(p, translation)]
+                        self.assertLess(abs(sum(a * b for a, b in zip(offset, normal))), 1e-12 * size)
+                    self.assertAlmostEqual(report["model"]["area"] / area, 1, delta=1e-12)
+                    self.assertAlmostEqual(report["mesh"]["area"] / area, 1, delta=0.005)
+                    centre = [sum(row[i] for i in range(2)) + t for row, t in zip(rotation, translation)]
+                    on_circle = [p for p in nodes.values() if abs(math.dist(p, centre) - 0.5) < 1e-3]
+                    self.assertGreater(len(on_circle), 12)
+                    self.assertLess(max(abs(math.dist(p, centre) - 0.5) for p in on_circle), 1e-12 * size)
+
+    def test_oblique_disc(self):
+        self.expect(0, "mesh", DATA / "disc_oblique.brep", "--dimension", 2, "--size", 0.3, "--check", "-o", "m.msh", "--report", "r.json")
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertAlmostEqual(report["model"]["area"], 4 * math.pi, delta=1e-11)
+        nodes, _ = read_msh(self.folder / "m.msh")
+        for p in nodes.values():
+            self.assertLess(abs(sum(p) - 6) / math.sqrt(3), 4e-12)
 
 
 class TestSizes(Case):
@@ -478,6 +543,67 @@ class TestRefusals(Case):
         failure = report["failures"][0]
         self.assertRegex(failure["entity"], "^Face[1-6]$")
         self.assertTrue(failure["reason"] and failure["remedy"] and len(failure["point"]) == 3)
+
+
+class TestDemonstration(Case):
+    def test_gasket(self):
+        gasket = DATA.parents[1] / "Resources" / "demos" / "gasket.brep"
+        self.expect(0, "mesh", gasket, "--dimension", 2, "--size", 4, "--curvature", 48, "--local-size", "Face2=1.2", "--check",
+                    "-o", "m.msh", "--report", "r.json")
+        run = self.expect(0, "check", "m.msh", "--model", gasket)
+        areas = [float(re.search(f"area of Face{i}: (.*)", run.stdout).group(1)) for i in (1, 2, 3)]
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertAlmostEqual(sum(areas), report["mesh"]["area"], places=8)
+        self.assertAlmostEqual(report["mesh"]["area"] / report["model"]["area"], 1, delta=1e-3)
+        self.assertGreaterEqual(report["quality"]["min_angle"], 30)
+        self.assertLessEqual(report["quality"]["max_angle"], 120)
+
+    def test_table_of_a_report(self):
+        self.mesh_plate("-o", "m.msh", "--report", "r.json")
+        script = DATA.parents[1] / "tools" / "show_report.py"
+        run = subprocess.run([sys.executable, script, self.folder / "r.json"], capture_output=True, text=True, check=True)
+        self.assertRegex(run.stdout, r"(?m)^triangles +505$")
+        self.assertRegex(run.stdout, r"(?m)^angles +3\d\.\d\d to 1\d\d\.\d\d degrees$")
+        (self.folder / "no.json").write_text("{}")
+        for name in ("no.json", "missing.json", "m.msh"):
+            run = subprocess.run([sys.executable, script, self.folder / name], capture_output=True, text=True, check=False)
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn(name, run.stderr)
+
+
+@unittest.skipUnless(shutil.which("gmsh"), "gmsh is not installed")
+class TestGmsh(Case):
+    """Gmsh, as a program of its own, opens what is written for it."""
+
+    def run_gmsh(self, *arguments):
+        run = subprocess.run(["gmsh", *map(str, arguments)], capture_output=True, text=True, timeout=120, cwd=self.folder, check=False)
+        output = run.stdout + run.stderr
+        self.assertEqual(run.returncode, 0, output)
+        self.assertNotRegex(output, "(?m)^(Error|Warning)", output)
+        return output
+
+    def test_opens_both_versions(self):
+        self.expect(0, "mesh", DATA / "inclusion.brep", "--dimension", 2, "--size", 0.2, "-o", "new.msh", "-o", "old.msh",
+                    "--format", "msh", "--format", "msh2", "--report", "r.json")
+        counts = json.loads((self.folder / "r.json").read_text())["counts"]
+        for name, version in (("new.msh", "4.1"), ("old.msh", "2.2")):
+            with self.subTest(version=version):
+                self.assertIn(f"$MeshFormat\n{version} 0 8", (self.folder / name).read_text())
+                output = self.run_gmsh("-check", name)
+                nodes, elements = re.search(r"(\d+) nodes\s.*?(\d+) elements", output, re.DOTALL).groups()
+                self.assertEqual(int(nodes), counts["vertices"])
+                self.assertEqual(int(elements), counts["triangles"] + counts["lines"] + 5)
+
+    def test_keeps_groups_and_places(self):
+        """What Gmsh writes of our file is the same mesh, by our own reader."""
+        self.expect(0, "mesh", DATA / "inclusion.brep", "--dimension", 2, "--size", 0.2, "-o", "new.msh", "-o", "old.msh",
+                    "--format", "msh", "--format", "msh2")
+        before = self.expect(0, "check", "new.msh", "--model", DATA / "inclusion.brep").stdout
+        for name, target in (("new.msh", "msh22"), ("old.msh", "msh41")):
+            with self.subTest(name=name):
+                self.run_gmsh(name, "-save", "-format", target, "-o", "again.msh")
+                after = self.expect(0, "check", "again.msh", "--model", DATA / "inclusion.brep").stdout
+                self.assertEqual(after.split("\n")[:3], before.split("\n")[:3])
 
 
 class TestOtherCommands(Case):
