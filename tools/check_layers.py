@@ -5,6 +5,7 @@ The architecture is written down once: MesherCore/CMakeLists.txt lists the layer
 mesher_layer(NAME … USES …), or mesher_python_module, in each folder names the lower layers it may include. This script refuses
   - a USES that names itself, a higher or an unknown layer, and a folder of sources that is no layer;
   - an include of a layer that is not in USES, of tests, or not written from MesherCore;
+  - an include of an adapter (ADAPTERS) by its own layer or by any layer that is not one of its users;
   - a foreign header in MesherCore, unless FOREIGN_HEADERS allows it there;
   - a header of a GPL library outside of the programs that time peers, and the core inside of those.
 
@@ -24,6 +25,9 @@ FOREIGN_HEADERS = {
     "io": re.compile(r"fcntl\.h|sys/stat\.h|unistd\.h|zlib\.h"),
     "pipeline": re.compile(r"nlohmann/json\.hpp"),
 }
+# Folders that hang off their layer: the layers beside themselves that may include them. A layer does not know its adapters, so
+# that it can be built and tested without what they adapt.
+ADAPTERS = {"brep/occt": {"cli"}}
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
 INTRINSICS_HEADER = re.compile(r"[a-z]*intrin\.h")
 
@@ -76,7 +80,12 @@ def includes(path):
         yield line, match.group(1) or match.group(2), match.group(1) is not None
 
 
-def find_own_include(core, layers, layer, name):
+def is_in(folder, adapter):
+    return folder == adapter or folder.startswith(adapter + "/")
+
+
+def find_own_include(core, layers, including_folder, name):
+    layer = including_folder.split("/")[0]
     folder = name.split("/")[0]
     if "/" not in name or name.startswith("."):
         return f'"{name}" is not written from MesherCore'
@@ -84,6 +93,9 @@ def find_own_include(core, layers, layer, name):
         return f'"{name}" is in no layer of MesherCore'
     if folder != layer and folder not in layers[layer]:
         return f"'{layer}' does not declare that it uses '{folder}' (\"{name}\")"
+    for adapter, users in ADAPTERS.items():
+        if is_in(name, adapter) and not is_in(including_folder, adapter) and layer not in users:
+            return f"'{including_folder}' may not include the adapter '{adapter}' (\"{name}\")"
     if not (core / name).is_file():
         return f'"{name}" does not exist'
     return None
@@ -93,7 +105,7 @@ def find_foreign_include(folder, name):
     if STANDARD_HEADER.fullmatch(name) or INTRINSICS_HEADER.fullmatch(name):
         return None
     for allowed_in, pattern in FOREIGN_HEADERS.items():
-        if (folder == allowed_in or folder.startswith(allowed_in + "/")) and pattern.fullmatch(name):
+        if is_in(folder, allowed_in) and pattern.fullmatch(name):
             return None
     return f"<{name}> is not of the standard library and not allowed in '{folder}'"
 
@@ -109,7 +121,7 @@ def check_core(root):
             findings.append(f"{where}: '{layer}' is not declared as a layer")
             continue
         for line, name, is_quoted in includes(path):
-            finding = (find_own_include(core, layers, layer, name) if is_quoted
+            finding = (find_own_include(core, layers, folder, name) if is_quoted
                        else find_foreign_include(folder, name))
             if finding:
                 findings.append(f"{where}:{line}: {finding}")

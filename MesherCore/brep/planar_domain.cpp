@@ -73,10 +73,36 @@ private:
         if (!frame) return frame.error();
         if (index == 0) complex_.frame = *frame;
         complex_.regionNames.push_back(nameOf(id));
+        if (auto same = refuseOtherPlane(id); !same) return same;
         const bool isTurned = dot(frame.value().normal, complex_.frame.normal) < 0.0;
         const RegionId region(static_cast<std::uint32_t>(index + 1));
         if (auto whole = refuseBadWires(id, isTurned); !whole) return whole;
         return addSides(id, region, isTurned);
+    }
+
+    /// Of a face that lies across the plane or beside it; what its edges depart by is refused edge by edge later.
+    Result<void> refuseOtherPlane(BrepFaceId id) const
+    {
+        const BrepFace& face = model_.faces[id];
+        double allowed = std::max(face.tolerance, 1e-7);
+        for (const BrepLoop& loop : face.loops) {
+            for (const BrepCoedge& coedge : loop.coedges)
+                allowed = std::max(allowed, model_.edges[coedge.edge].tolerance);
+        }
+        double largest = 0.0;
+        Vec3 worst;
+        for (const Vec3& p : sampleBoundary(model_, face)) {
+            const double distance = std::abs(complex_.frame.distanceTo(p));
+            if (distance > largest) {
+                largest = distance;
+                worst = p;
+            }
+        }
+        if (largest <= allowed) return {};
+        return broken(nameOf(id),
+                      "the face lies in another plane than " + complex_.regionNames.front() +
+                          ": its boundary is up to " + shortNumber(largest) + " off that",
+                      worst, "mesh the faces of each plane on their own");
     }
 
     Result<void> refuseBadWires(BrepFaceId id, bool isTurned) const
@@ -92,8 +118,10 @@ private:
         }
         if (isTurned) area = -area;
         if (std::abs(area) <= std::max(face.tolerance, 1e-12 * length_) * length_) {
-            return broken(nameOf(id), "the face has no area: " + shortNumber(area), {},
-                          "remove or repair the face");
+            return broken(nameOf(id),
+                          "the face has no area (" + shortNumber(area) +
+                              "): its wire runs back on itself or crosses itself",
+                          {}, "remove or repair the face");
         }
         if (area < 0.0)
             return broken(nameOf(id), "the wires of the face run the wrong way round", {}, "repair the face");

@@ -1,11 +1,10 @@
 #include "cli/command_line.h"
 
-#include "mesh/classified_mesh.h"
+#include "cli/option_reader.h"
+#include "cli/size_syntax.h"
 
-#include <boost/program_options.hpp>
-
-#include <charconv>
 #include <sstream>
+#include <utility>
 
 namespace mesher {
 
@@ -15,30 +14,12 @@ namespace po = boost::program_options;
 
 using Texts = std::vector<std::string>;
 
-Error usageError(const std::string& message, const std::string& remedy = "see mesher --help")
-{
-    return {ErrorCode::InvalidArgument, message, {}, {}, remedy};
-}
-
-/// Numbers are read by from_chars, whatever the locale: "1,5" and "1.5x" are refused.
-template <class Number>
-Result<Number> numberIn(const std::string& option, const std::string& text)
-{
-    Number value{};
-    const char* last = text.data() + text.size();
-    const auto [end, code] = std::from_chars(text.data(), last, value);
-    if (code != std::errc() || end != last || text.empty()) {
-        return usageError(
-            std::string("--").append(option).append(" wants a number, not '").append(text).append("'"));
-    }
-    return value;
-}
-
 po::options_description meshingOptions()
 {
     po::options_description options("Options of mesh and estimate", 100);
     auto add = options.add_options();
     add("dimension", po::value<std::string>(), "2: plane faces, 3: solids (default 3)");
+    add("faces", po::value<std::string>(), "with --dimension 2: only these, e.g. Face1,Face6 (default all)");
     add("size", po::value<std::string>(), "largest edge length, model units");
     add("min-size", po::value<std::string>(), "no smaller size is asked for");
     add("curvature", po::value<std::string>(), "elements in a full turn of a curve (default 0: off)");
@@ -46,7 +27,21 @@ po::options_description meshingOptions()
     add("refinement", po::value<std::string>(),
         "R: boundary size is local feature size / R, 1 or more (default 1)");
     add("grading", po::value<std::string>(), "G: sizes grow by at most distance / G (default 1)");
-    add("local-size", po::value<Texts>()->composing(), "size of one entity, e.g. Face6=0.5; may be repeated");
+    add("local-size", po::value<Texts>()->composing(),
+        "ENTITY=SIZE: size on a face, edge or vertex, e.g. Face6=0.5; beyond it sizes grow by distance / G");
+    add("size-distance", po::value<Texts>()->composing(),
+        "ENTITY=SIZE,GROWTH[,PLATEAU]: size up to the distance PLATEAU (default 0) from a face, edge or "
+        "vertex, "
+        "growing by GROWTH per unit of distance from there on");
+    add("size-box", po::value<Texts>()->composing(),
+        "X0,Y0,Z0,X1,Y1,Z1=SIZE[,GROWTH]: size in the box between two corners, growing outside of it "
+        "(default "
+        "GROWTH 1 / G)");
+    add("size-ball", po::value<Texts>()->composing(), "X,Y,Z,RADIUS=SIZE[,GROWTH]: the same in a ball");
+    add("size-formula", po::value<std::string>(),
+        "size by x, y, z with + - * / ^ ( ) pi sqrt abs exp log sin cos tan min max, e.g. \"0.1 + 0.05*x\"");
+    add("size-points", po::value<std::string>(),
+        "text file with a line 'x y z size' for each point; sizes grow by distance / G from them");
     add("background", po::value<std::string>(), "mesh (.msh, .vtu) with the size at each node");
     add("min-angle", po::value<std::string>(), "of triangles, degrees, 0 to 45 (default 30)");
     add("max-turn", po::value<std::string>(), "of a curve along an edge, degrees, 30 to 90 (default 90)");
@@ -77,120 +72,24 @@ po::options_description outputOptions()
     return options;
 }
 
-/// Parses, with one positional argument under the name `input`.
-Result<po::variables_map> parse(std::span<const std::string> arguments, po::options_description visible)
-{
-    visible.add_options()("input", po::value<Texts>()->composing());
-    po::positional_options_description positional;
-    positional.add("input", -1);
-    po::variables_map found;
-    try {
-        const auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-        const Texts texts(arguments.begin(), arguments.end());
-        po::store(po::command_line_parser(texts).options(visible).positional(positional).style(style).run(),
-                  found);
-        po::notify(found);
-    } catch (const po::error& error) {
-        return usageError(error.what());
-    }
-    return found;
-}
-
-Result<std::filesystem::path> onlyInput(const po::variables_map& found, const std::string& what)
-{
-    const Texts inputs = found.count("input") != 0 ? found["input"].as<Texts>() : Texts();
-    if (inputs.empty()) return usageError(std::string("the ").append(what).append(" is missing"));
-    if (inputs.size() > 1)
-        return usageError(std::string("one ")
-                              .append(what)
-                              .append(" is expected, '")
-                              .append(inputs[1])
-                              .append("' is too much"));
-    if (inputs.front().empty())
-        return usageError(std::string("the name of the ").append(what).append(" is empty"));
-    return std::filesystem::path(inputs.front());
-}
-
-/// Reads the values of options into variables; the first error is kept.
-class ValueReader
-{
-public:
-    explicit ValueReader(const po::variables_map& found) : found_(found) {}
-
-    template <class Number>
-    void read(const char* option, Number& target)
-    {
-        if (std::optional<Number> value = numberOf<Number>(option)) target = *value;
-    }
-    template <class Number>
-    void read(const char* option, std::optional<Number>& target)
-    {
-        if (std::optional<Number> value = numberOf<Number>(option)) target = *value;
-    }
-    void read(const char* option, std::string& target)
-    {
-        if (found_.count(option) != 0) target = found_[option].as<std::string>();
-    }
-    [[nodiscard]] bool isSet(const char* option) const { return found_[option].as<bool>(); }
-    [[nodiscard]] std::optional<std::filesystem::path> path(const char* option)
-    {
-        if (found_.count(option) == 0) return std::nullopt;
-        return std::filesystem::path(found_[option].as<std::string>());
-    }
-    [[nodiscard]] Texts texts(const char* option) const
-    {
-        return found_.count(option) != 0 ? found_[option].as<Texts>() : Texts();
-    }
-    void fail(Error error)
-    {
-        if (!error_) error_ = std::move(error);
-    }
-    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-
-private:
-    template <class Number>
-    std::optional<Number> numberOf(const char* option)
-    {
-        if (found_.count(option) == 0) return std::nullopt;
-        const Result<Number> number = numberIn<Number>(option, found_[option].as<std::string>());
-        if (number) return number.value();
-        fail(number.error());
-        return std::nullopt;
-    }
-
-    const po::variables_map& found_;
-    std::optional<Error> error_;
-};
-
-void readLocalSizes(ValueReader& reader, MeshOptions& options)
-{
-    for (const std::string& text : reader.texts("local-size")) {
-        const std::size_t equals = text.find('=');
-        const std::string entity = text.substr(0, equals);
-        if (equals == std::string::npos || !entityNamed(entity)) {
-            reader.fail(
-                usageError("--local-size wants an entity and a size like Face6=0.5, not '" + text + "'"));
-            return;
-        }
-        const Result<double> size = numberIn<double>("local-size", text.substr(equals + 1));
-        if (!size) {
-            reader.fail(size.error());
-            return;
-        }
-        options.localSizes.push_back({entity, size.value()});
-    }
-}
-
-void readMeshOptions(ValueReader& reader, MeshOptions& options)
+void readMeshOptions(OptionReader& reader, MeshOptions& options)
 {
     reader.read("dimension", options.dimension);
+    std::string faces;
+    reader.read("faces", faces);
+    if (!faces.empty()) options.faces = splitAtCommas(faces);
     reader.read("size", options.size);
     reader.read("min-size", options.minSize);
     reader.read("curvature", options.curvature);
     reader.read("sag", options.sag);
     reader.read("refinement", options.refinement);
     reader.read("grading", options.grading);
-    readLocalSizes(reader, options);
+    reader.readAll("local-size", options.localSizes, localSizeIn);
+    reader.readAll("size-distance", options.distanceSizes, sizeByDistanceIn);
+    reader.readAll("size-box", options.boxSizes, sizeInBoxIn);
+    reader.readAll("size-ball", options.ballSizes, sizeInBallIn);
+    reader.read("size-formula", options.sizeFormula);
+    reader.read("size-points", options.sizePoints);
     reader.read("background", options.background);
     reader.read("min-angle", options.minAngle);
     reader.read("max-turn", options.maxTurn);
@@ -209,7 +108,7 @@ void readMeshOptions(ValueReader& reader, MeshOptions& options)
     reader.read("timeout", options.timeout);
 }
 
-void readOutputs(ValueReader& reader, MeshCommand& command)
+void readOutputs(OptionReader& reader, MeshCommand& command)
 {
     const Texts paths = reader.texts("output");
     const Texts formats = reader.texts("format");
@@ -234,7 +133,7 @@ Error namedTwice(const std::filesystem::path& path)
 }
 
 /// Two files of the same name would overwrite each other, or the model.
-void refuseSameFiles(ValueReader& reader, const MeshCommand& command)
+void refuseSameFiles(OptionReader& reader, const MeshCommand& command)
 {
     std::vector<std::filesystem::path> written;
     for (const OutputTarget& output : command.outputs) written.push_back(output.path);
@@ -255,18 +154,44 @@ void refuseSameFiles(ValueReader& reader, const MeshCommand& command)
     }
 }
 
+/// What mesh and estimate have in common.
+MeshCommand modelAndOptions(OptionReader& reader)
+{
+    MeshCommand command;
+    command.model = reader.onlyInput("model");
+    readMeshOptions(reader, command.options);
+    command.heals = reader.isSet("heal");
+    return command;
+}
+
+Result<MeshCommand> validated(const OptionReader& reader, MeshCommand command)
+{
+    if (reader.error()) return *reader.error();
+    if (const Result<void> valid = validate(command.options); !valid) return valid.error();
+    return command;
+}
+
+/// For the commands of few options.
+template <class Command, class Read>
+Result<Command> parseBy(std::span<const std::string> arguments, const po::options_description& options,
+                        Read read)
+{
+    const Result<po::variables_map> found = parseArguments(arguments, options);
+    if (!found) return found.error();
+    OptionReader reader(found.value());
+    Command command = read(reader);
+    if (reader.error()) return *reader.error();
+    return command;
+}
+
 }  // namespace
 
 Result<MeshCommand> parseMeshCommand(std::span<const std::string> arguments)
 {
-    const Result<po::variables_map> found = parse(arguments, meshingOptions().add(outputOptions()));
+    const Result<po::variables_map> found = parseArguments(arguments, meshingOptions().add(outputOptions()));
     if (!found) return found.error();
-    const Result<std::filesystem::path> model = onlyInput(found.value(), "model");
-    if (!model) return model.error();
-    ValueReader reader(found.value());
-    MeshCommand command;
-    command.model = model.value();
-    readMeshOptions(reader, command.options);
+    OptionReader reader(found.value());
+    MeshCommand command = modelAndOptions(reader);
     readOutputs(reader, command);
     command.report = reader.path("report");
     command.curvedBoundary = reader.path("curved-boundary");
@@ -276,69 +201,50 @@ Result<MeshCommand> parseMeshCommand(std::span<const std::string> arguments)
     }
     command.options.isChecked = reader.isSet("check");
     command.keepsPartial = reader.isSet("keep-partial");
-    command.heals = reader.isSet("heal");
     refuseSameFiles(reader, command);
-    if (reader.error()) return *reader.error();
-    if (const Result<void> valid = validate(command.options); !valid) return valid.error();
-    return command;
+    return validated(reader, std::move(command));
 }
 
 Result<MeshCommand> parseEstimateCommand(std::span<const std::string> arguments)
 {
-    const Result<po::variables_map> found = parse(arguments, meshingOptions());
+    const Result<po::variables_map> found = parseArguments(arguments, meshingOptions());
     if (!found) return found.error();
-    const Result<std::filesystem::path> model = onlyInput(found.value(), "model");
-    if (!model) return model.error();
-    ValueReader reader(found.value());
-    MeshCommand command;
-    command.model = model.value();
-    readMeshOptions(reader, command.options);
-    command.heals = reader.isSet("heal");
-    if (reader.error()) return *reader.error();
-    if (const Result<void> valid = validate(command.options); !valid) return valid.error();
-    return command;
+    OptionReader reader(found.value());
+    MeshCommand command = modelAndOptions(reader);
+    return validated(reader, std::move(command));
 }
 
 Result<CheckCommand> parseCheckCommand(std::span<const std::string> arguments)
 {
     po::options_description options;
     options.add_options()("model", po::value<std::string>())("report", po::value<std::string>());
-    const Result<po::variables_map> found = parse(arguments, options);
-    if (!found) return found.error();
-    const Result<std::filesystem::path> mesh = onlyInput(found.value(), "mesh");
-    if (!mesh) return mesh.error();
-    ValueReader reader(found.value());
-    return CheckCommand{mesh.value(), reader.path("model"), reader.path("report")};
+    return parseBy<CheckCommand>(arguments, options, [](OptionReader& reader) {
+        return CheckCommand{reader.onlyInput("mesh"), reader.path("model"), reader.path("report")};
+    });
 }
 
 Result<InfoCommand> parseInfoCommand(std::span<const std::string> arguments)
 {
     po::options_description options;
     options.add_options()("json", po::bool_switch());
-    const Result<po::variables_map> found = parse(arguments, options);
-    if (!found) return found.error();
-    const Result<std::filesystem::path> model = onlyInput(found.value(), "model");
-    if (!model) return model.error();
-    return InfoCommand{model.value(), found.value()["json"].as<bool>()};
+    return parseBy<InfoCommand>(arguments, options, [](OptionReader& reader) {
+        return InfoCommand{reader.onlyInput("model"), reader.isSet("json")};
+    });
 }
 
 Result<DrawCommand> parseDrawCommand(std::span<const std::string> arguments)
 {
     po::options_description options;
     options.add_options()("output,o", po::value<std::string>())("width", po::value<std::string>());
-    const Result<po::variables_map> found = parse(arguments, options);
-    if (!found) return found.error();
-    const Result<std::filesystem::path> mesh = onlyInput(found.value(), "mesh");
-    if (!mesh) return mesh.error();
-    ValueReader reader(found.value());
-    DrawCommand command;
-    command.mesh = mesh.value();
-    const std::optional<std::filesystem::path> picture = reader.path("output");
-    if (!picture) return usageError("the output is missing", "give -o PICTURE.png");
-    command.picture = *picture;
-    reader.read("width", command.width);
-    if (reader.error()) return *reader.error();
-    return command;
+    return parseBy<DrawCommand>(arguments, options, [](OptionReader& reader) {
+        DrawCommand command;
+        command.mesh = reader.onlyInput("mesh");
+        const std::optional<std::filesystem::path> picture = reader.path("output");
+        if (!picture) reader.fail(usageError("the output is missing", "give -o PICTURE.png"));
+        command.picture = picture.value_or(std::filesystem::path());
+        reader.read("width", command.width);
+        return command;
+    });
 }
 
 std::string usageText()
@@ -354,7 +260,10 @@ std::string usageText()
             "  mesher --version | --help\n\n"
          << meshingOptions() << '\n'
          << outputOptions()
-         << "\nExit status: 0 done, 1 could not mesh or ran into a limit, 2 wrong usage, 130 cancelled.\n";
+         << "\nWhere several sizes are asked for the smallest holds. Lengths are in model units, and the "
+            "options "
+            "of the form\nENTITY=… or …=SIZE may be repeated.\n"
+            "\nExit status: 0 done, 1 could not mesh or ran into a limit, 2 wrong usage, 130 cancelled.\n";
     return text.str();
 }
 

@@ -3,6 +3,7 @@
 #include "cli/command_line.h"
 #include "cli/exit_status.h"
 
+#include <filesystem>
 #include <ostream>
 #include <span>
 #include <string>
@@ -22,6 +23,9 @@ struct Console
 [[nodiscard]] ExitStatus runCheck(const CheckCommand& command, Console console);
 [[nodiscard]] ExitStatus runInfo(const InfoCommand& command, Console console);
 [[nodiscard]] ExitStatus runDraw(const DrawCommand& command, Console console);
+
+/// An error about an entity of a model, or about the "model", says which file that is.
+[[nodiscard]] Error inModel(Error error, const std::filesystem::path& model);
 
 /// Tells the error on `err` as one sentence behind the program's name.
 ExitStatus tell(const Error& error, ExitStatus status, Console console);

@@ -1,16 +1,14 @@
 #include "brep/occt/read_model.h"
-#include "brep/planar_domain.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
-#include "io/mesh_reader.h"
+#include "cli/size_files.h"
 #include "io/mesh_writer.h"
 #include "io/write_curved_boundary.h"
 #include "io/write_text_file.h"
-#include "pipeline/estimate.h"
 #include "pipeline/mesh_planar.h"
 #include "pipeline/planar_area.h"
-#include "sizing/background_size.h"
+#include "pipeline/planar_model.h"
 
 #include <chrono>
 #include <iomanip>
@@ -41,13 +39,13 @@ public:
     ExitStatus run()
     {
         if (const std::optional<ExitStatus> refused = probeTargets()) return *refused;
-        const bool isDone =
-            readModelFile() && readBackground() && checkBeforehand() && mesh() && writeOutputs();
+        const bool isDone = checkDimension() && readSizes() && readModelFile() && mesh() && writeOutputs();
         progress_.clear();
         finishStatus();
         writeReport();
         if (isDone) summarise();
-        for (const Error& failure : report_.failures) tell(failure, ExitStatus::Failed, console_);
+        for (const Error& failure : report_.failures)
+            tell(inModel(failure, command_.model), ExitStatus::Failed, console_);
         return status_;
     }
 
@@ -111,89 +109,38 @@ private:
         return true;
     }
 
-    /// A mesh with one number at each node: the size.
-    bool readBackground()
+    bool readSizes()
     {
-        const std::string& path = command_.options.background;
-        if (path.empty()) return true;
-        Result<MeshFile> file = readMesh(path);
-        if (!file) {
-            fail(file.error());
-            return false;
-        }
-        if (file->fields.empty()) {
-            fail({ErrorCode::Unreadable,
-                  "has no number at its nodes to take as the size",
-                  path,
-                  {},
-                  "add a nodal field to the mesh"});
-            return false;
-        }
-        BackgroundMesh background;
-        for (const MeshNode& node : file->mesh.nodes) background.nodes.push_back(node.position);
-        background.sizes = std::move(file->fields.front().values);
-        for (const auto& [node, entity] : file->mesh.triangles) {
-            background.triangles.push_back({node[0].value, node[1].value, node[2].value});
-        }
-        for (const auto& [node, entity] : file->mesh.tets) {
-            background.tets.push_back({node[0].value, node[1].value, node[2].value, node[3].value});
-        }
-        Result<std::shared_ptr<const BackgroundSize>> sizes = BackgroundSize::make(std::move(background));
+        Result<std::shared_ptr<const SizingField>> sizes = readSizeFiles(command_.options);
         if (!sizes) {
             fail(sizes.error());
             return false;
         }
-        background_ = std::move(sizes).value();
+        fileSizes_ = std::move(sizes).value();
         return true;
     }
 
-    bool checkBeforehand()
+    bool checkDimension()
     {
-        if (command_.options.dimension == 3) {
-            fail({ErrorCode::InvalidArgument,
-                  "solids are not yet meshed",
-                  "model",
-                  {},
-                  "mesh plane faces with --dimension 2"});
-            return false;
-        }
-        double area = 0.0;
-        for (std::uint32_t i = 0; i < model_.faces.size(); ++i)
-            area += planarArea(model_, BrepFaceId(i)).value_or(0.0);
-        report_.modelArea = area;
-        return !failIf(checkAffordable(estimatePlanar(model_, command_.options), command_.options));
-    }
-
-    /// All faces of the model, if none of them is turned against the first.
-    std::optional<std::vector<BrepFaceId>> facesInOnePlane()
-    {
-        constexpr double kLargestTurn = 1e-6;  // radians; the exact test is that of planarCurveComplex
-        std::vector<BrepFaceId> faces;
-        std::optional<PlaneFrame> first;
-        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
-            const std::optional<PlaneFrame> frame = model_.faces[BrepFaceId(i)].surface->planeFrame();
-            if (!first) first = frame;
-            if (frame && length(cross(frame->normal, first->normal)) > kLargestTurn) {
-                fail({ErrorCode::InvalidArgument, "lies in another plane than the faces before it",
-                      nameOf(BrepFaceId(i)), frame->origin, "mesh the faces of each plane on their own"});
-                return std::nullopt;
-            }
-            faces.push_back(BrepFaceId(i));
-        }
-        return faces;
+        if (command_.options.dimension == 2) return true;
+        fail({ErrorCode::InvalidArgument,
+              "solids are not yet meshed",
+              "model",
+              {},
+              "mesh plane faces with --dimension 2"});
+        return false;
     }
 
     bool mesh()
     {
-        const std::optional<std::vector<BrepFaceId>> faces = facesInOnePlane();
-        if (!faces) return false;
-        const Result<PlanarCurveComplex> complex = planarCurveComplex(model_, *faces);
+        const Result<PlanarCurveComplex> complex = planarModel(model_, command_.options);
         if (!complex) {
             fail(complex.error());
             return false;
         }
+        report_.modelArea = planarArea(complex.value());
         PlanarMeshOutcome outcome =
-            meshPlanar(complex.value(), command_.options, background_, command_.boundaryOrder, context_);
+            meshPlanar(complex.value(), command_.options, fileSizes_, command_.boundaryOrder, context_);
         takeReport(std::move(outcome.report));
         result_ = std::move(outcome.result);
         if (result_) result_->mesh.title = command_.model.filename().string();
@@ -280,7 +227,7 @@ private:
     InterruptScope interrupt_;
     MeshReport report_;
     BrepModel model_;
-    std::shared_ptr<const SizingField> background_;
+    std::shared_ptr<const SizingField> fileSizes_;
     std::optional<PlanarMesh> result_;
     ExitStatus status_ = ExitStatus::Done;
 };

@@ -1,7 +1,10 @@
 #include "cli/commands.h"
 #include "io/mesh_writer.h"
 
+#include <algorithm>
+#include <array>
 #include <new>
+#include <string_view>
 
 namespace mesher {
 
@@ -48,6 +51,20 @@ ExitStatus dispatch(std::span<const std::string> arguments, Console console)
 }
 
 }  // namespace
+
+Error inModel(Error error, const std::filesystem::path& model)
+{
+    constexpr std::array<std::string_view, 4> kKinds = {"Vertex", "Edge", "Face", "Solid"};
+    std::string& entity = error.entity;
+    const bool isPart = std::any_of(kKinds.begin(), kKinds.end(),
+                                    [&](std::string_view kind) { return entity.starts_with(kind); });
+    if (isPart) {
+        entity = model.string() + ", " + entity;
+    } else if (entity == "model" || entity == "mesh") {
+        entity = model.string();
+    }
+    return error;
+}
 
 ExitStatus tell(const Error& error, ExitStatus status, Console console)
 {

@@ -1,19 +1,16 @@
 #include "pipeline/estimate.h"
 
-#include "pipeline/planar_area.h"
+#include "pipeline/mesh_planar.h"
+#include "pipeline/planar_sizes.h"
+#include "triangulation2d/triangulate_planar.h"
 
-#include <algorithm>
 #include <charconv>
-#include <numbers>
+#include <utility>
 
 namespace mesher {
 
 namespace {
 
-// An equilateral triangle of side h covers 0.433 h^2; Delaunay refinement uses triangles that are smaller on average.
-constexpr double kTriangleArea = std::numbers::sqrt3 / 4.0;
-constexpr double kRefinementSurplus = 1.2;
-constexpr double kTrianglesForBoundaryEdge = 6.0;
 constexpr double kBytesForTriangle = 260.0;  // triangulation, queues and the finished mesh
 constexpr double kTrianglesInSecond = 1.0e6;
 constexpr double kUncertainty = 2.0;
@@ -27,41 +24,39 @@ std::string rounded(double value)
 
 }  // namespace
 
-MeshEstimate estimatePlanar(const BrepModel& model, const MeshOptions& options)
+MeshEstimate costOfTriangles(double triangles)
 {
-    double area = 0.0;
-    double boundaryEdges = 0.0;
-    for (std::uint32_t i = 0; i < model.faces.size(); ++i) {
-        const BrepFaceId face(i);
-        area += planarArea(model, face).value_or(0.0);
-        for (const BrepLoop& loop : model.faces[face].loops) {
-            for (const BrepCoedge& coedge : loop.coedges) {
-                const double length = edgeLength(model.edges[coedge.edge]);
-                boundaryEdges += std::max(4.0, options.size ? length / *options.size : 0.0);
-            }
-        }
-    }
-    MeshEstimate estimate;
-    estimate.elements = kTrianglesForBoundaryEdge * boundaryEdges;
-    if (options.size) {
-        const double bulk = kRefinementSurplus * area / (kTriangleArea * *options.size * *options.size);
-        estimate.elements = std::max(estimate.elements, bulk);
-    }
-    estimate.bytes = kBytesForTriangle * estimate.elements;
-    estimate.seconds = estimate.elements / kTrianglesInSecond;
-    return estimate;
+    return {triangles, kBytesForTriangle * triangles, triangles / kTrianglesInSecond};
+}
+
+Result<MeshEstimate> estimatePlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
+                                    std::shared_ptr<const SizingField> fromFiles, RunContext& context)
+{
+    if (const Result<void> valid = validate(options); !valid) return valid.error();
+    const Result<PlanarSizes> sizes = planarSizes(complex, options, std::move(fromFiles));
+    if (!sizes) return sizes.error();
+    PlanarOptions planar = planarOptionsOf(options, sizes->field.get());
+    planar.isRefined = false;
+    const Result<PlanarResult> result = triangulatePlanar(complex, planar, context);
+    if (!result) return result.error();
+    return costOfTriangles(result->counts.expectedTriangles);
+}
+
+double mostExpectedElements(const MeshOptions& options)
+{
+    return kUncertainty * static_cast<double>(options.maxElements);
 }
 
 Result<void> checkAffordable(const MeshEstimate& estimate, const MeshOptions& options)
 {
-    if (estimate.elements <= kUncertainty * static_cast<double>(options.maxElements)) return {};
+    if (estimate.elements <= mostExpectedElements(options)) return {};
     return Error{ErrorCode::OutOfRange,
                  "about " + rounded(estimate.elements) + " elements and " + rounded(estimate.bytes / 1e9) +
                      " GB of memory would be needed, more than --max-elements " +
                      std::to_string(options.maxElements),
                  "model",
                  {},
-                 "choose a larger --size or raise --max-elements"};
+                 "choose larger sizes or raise --max-elements"};
 }
 
 }  // namespace mesher

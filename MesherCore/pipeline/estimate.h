@@ -1,10 +1,12 @@
 #pragma once
 
 #include "base/result.h"
-#include "brep/brep_model.h"
+#include "base/run_context.h"
+#include "brep/planar_curve_complex.h"
 #include "pipeline/mesh_options.h"
+#include "sizing/sizing_field.h"
 
-#include <cstdint>
+#include <memory>
 
 namespace mesher {
 
@@ -16,8 +18,18 @@ struct MeshEstimate
     double seconds = 0.0;   ///< on one thread of an ordinary machine
 };
 
-/// For the plane faces of a model: N = area / (0.433 h^2) where a size is asked for, never fewer than the boundary needs.
-[[nodiscard]] MeshEstimate estimatePlanar(const BrepModel& model, const MeshOptions& options);
+/// The memory and time of so many triangles.
+[[nodiscard]] MeshEstimate costOfTriangles(double triangles);
+
+/// For a plane domain, from its initial triangulation; `fromFiles` as for meshPlanar.
+/// Refuses      what meshPlanar refuses
+[[nodiscard]] Result<MeshEstimate> estimatePlanar(const PlanarCurveComplex& complex,
+                                                  const MeshOptions& options,
+                                                  std::shared_ptr<const SizingField> fromFiles,
+                                                  RunContext& context);
+
+/// The elements up to which an estimate still lets a run begin, since it may be too high.
+[[nodiscard]] double mostExpectedElements(const MeshOptions& options);
 
 /// Refuses, with the estimate, what would surely need more elements than the options allow.
 [[nodiscard]] Result<void> checkAffordable(const MeshEstimate& estimate, const MeshOptions& options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "pipeline/size_wishes.h"
 #include "quality/tet_measures.h"
 
 #include <cstdint>
@@ -10,17 +11,11 @@
 
 namespace mesher {
 
-/// An element size asked for on one entity of the model.
-struct LocalSize
-{
-    std::string entity;  ///< "Face6", "Edge3", "Vertex1", "Solid1"
-    double size = 0.0;   ///< model units, above 0
-};
-
 /// Everything a user may ask of a mesh; what has no value is left to the mesher.
 struct MeshOptions
 {
-    int dimension = 3;  ///< 2 the planar faces, 3 the solids. DEFAULT: 3
+    int dimension = 3;               ///< 2 the planar faces, 3 the solids. DEFAULT: 3
+    std::vector<std::string> faces;  ///< what is meshed in two dimensions: "Face6", … DEFAULT: all
 
     /// \name Size (edge length, model units)
     ///@{
@@ -31,7 +26,12 @@ struct MeshOptions
     double refinement = 1.0;        ///< R: boundary size is local feature size / R; 1 … 1000. DEFAULT: 1
     double grading = 1.0;           ///< G: sizes grow by at most distance / G; 0.01 … 1000. DEFAULT: 1
     std::vector<LocalSize> localSizes;
-    std::string background;  ///< .msh or .vtu file with a number at each node, the size. DEFAULT: none
+    std::vector<SizeByDistance> distanceSizes;
+    std::vector<SizeInBox> boxSizes;
+    std::vector<SizeInBall> ballSizes;
+    std::string sizeFormula;  ///< of x, y, z, see FormulaSize. DEFAULT: none
+    std::string sizePoints;   ///< text file with lines "x y z size". DEFAULT: none
+    std::string background;   ///< .msh or .vtu file with a number at each node, the size. DEFAULT: none
     ///@}
 
     /// \name Quality

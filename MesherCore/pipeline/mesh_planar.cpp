@@ -1,6 +1,7 @@
 #include "pipeline/mesh_planar.h"
 
 #include "mesh/mesh_check.h"
+#include "pipeline/estimate.h"
 #include "pipeline/planar_sizes.h"
 
 #include <algorithm>
@@ -32,6 +33,13 @@ Result<void> checkSupported(const MeshOptions& options)
     return {};
 }
 
+/// What is beyond the integers is told as the largest power of ten among them.
+std::uint64_t wholeNumber(double value)
+{
+    constexpr double kLargest = 1e19;
+    return static_cast<std::uint64_t>(std::min(value, kLargest));
+}
+
 void tellCounts(const PlanarResult& result, MeshReport& report)
 {
     const PlanarCounts& counts = result.counts;
@@ -43,6 +51,7 @@ void tellCounts(const PlanarResult& result, MeshReport& report)
         {"intersection_splits", counts.enrichment.intersectionSplits},
         {"initial_vertices", counts.initialVertices},
         {"initial_triangles", counts.initialTriangles},
+        {"expected_triangles", wholeNumber(counts.expectedTriangles)},
         {"size_insertions", refinement.sizeInsertions},
         {"quality_insertions", refinement.qualityInsertions},
         {"boundary_splits", refinement.sizeSplits + refinement.encroachmentSplits},
@@ -67,12 +76,19 @@ std::string limitMessage(StopReason reason, const MeshOptions& options)
     }
 }
 
-void tellStop(StopReason reason, MeshReport& report)
+void tellStop(const PlanarResult& result, MeshReport& report)
 {
+    const StopReason reason = result.stopReason;
     report.stopReason = reason;
     if (reason == StopReason::Done) return;
     report.status =
         reason == StopReason::Cancelled ? MeshReport::Status::Cancelled : MeshReport::Status::Failed;
+    const Result<void> affordable =
+        checkAffordable(costOfTriangles(result.counts.expectedTriangles), report.options);
+    if (reason == StopReason::ElementLimit && !affordable) {
+        report.failures.push_back(affordable.error());
+        return;
+    }
     const bool isElements = reason == StopReason::ElementLimit;
     report.failures.push_back({ErrorCode::OutOfRange,
                                limitMessage(reason, report.options),
@@ -105,6 +121,7 @@ PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* fie
     planar.refinement.sizing.grading = options.grading;
     planar.refinement.sizing.field = field;
     planar.limits.maxElements = options.maxElements;
+    planar.mostExpectedTriangles = mostExpectedElements(options);
     if (options.timeout) {
         planar.limits.maxTime = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
             std::chrono::duration<double>(std::min(*options.timeout, 1e9)));
@@ -113,7 +130,7 @@ PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* fie
 }
 
 PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
-                             std::shared_ptr<const SizingField> background, int boundaryOrder,
+                             std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
                              RunContext& context)
 {
     PlanarMeshOutcome outcome;
@@ -126,20 +143,20 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
         fail(report, possible.error());
         return outcome;
     }
-    const Result<std::shared_ptr<const SizingField>> sizes =
-        planarSizes(complex, options, std::move(background));
+    const Result<PlanarSizes> sizes = planarSizes(complex, options, std::move(fromFiles));
     if (!sizes) {
         fail(report, sizes.error());
         return outcome;
     }
-    const PlanarOptions planar = planarOptionsOf(options, sizes.value().get());
+    report.warnings = sizes->warnings;
+    const PlanarOptions planar = planarOptionsOf(options, sizes->field.get());
     const Result<PlanarResult> result = triangulatePlanar(complex, planar, context);
     if (!result) {
         fail(report, result.error());
         return outcome;
     }
     tellCounts(result.value(), report);
-    tellStop(result.value().stopReason, report);
+    tellStop(result.value(), report);
     // A run that ends early may not have got as far as a triangulation of the boundary.
     if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0)
         return outcome;

@@ -22,11 +22,11 @@ struct PlanarMeshOutcome
 
 /// Meshes the regions of a plane domain: samples, enriches, triangulates, refines, classifies and reports.
 /// Guarantees   those of triangulatePlanar; the report says why there is no mesh, or not the whole one
-/// Requires     `background`: the sizes of options.background, or none
-/// Refuses      options out of range; what planarSizes refuses; elements of second order, which are not there yet
+/// Requires     `fromFiles`: the sizes of options.background and options.sizePoints, or none
+/// Refuses      options out of range; a mesh that is expected to exceed the limit on elements twice; what planarSizes refuses; elements of second order, which are not there yet
 /// Terminates   see PlanarOptions; the limits on elements and time of the options hold
 [[nodiscard]] PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
-                                           std::shared_ptr<const SizingField> background, int boundaryOrder,
+                                           std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
                                            RunContext& context);
 
 /// The options of triangulatePlanar that these stand for; `field` must outlive the run.

@@ -43,17 +43,44 @@ Json objectOf(const Pairs& pairs)
     return object;
 }
 
+Json toJson(const Vec3& p) { return {p.x, p.y, p.z}; }
+
 Json toJson(const Error& error)
 {
     Json json = {
         {"entity", error.entity}, {"point", nullptr}, {"reason", error.message}, {"remedy", error.remedy}};
-    if (error.point) json["point"] = {error.point->x, error.point->y, error.point->z};
+    if (error.point) json["point"] = toJson(*error.point);
     return json;
+}
+
+/// The sizes that may be given more than once.
+void addWishes(const MeshOptions& options, Json& json)
+{
+    for (const LocalSize& local : options.localSizes) json["local_sizes"][local.entity] = local.size;
+    for (const SizeByDistance& wish : options.distanceSizes) {
+        json["size_distance"].push_back({{"entity", wish.entity},
+                                         {"size", wish.size},
+                                         {"growth", wish.growth},
+                                         {"plateau", wish.plateau}});
+    }
+    for (const SizeInBox& box : options.boxSizes) {
+        json["size_box"].push_back({{"first", toJson(box.first)},
+                                    {"last", toJson(box.last)},
+                                    {"size", box.size},
+                                    {"growth", box.growth.value_or(1.0 / options.grading)}});
+    }
+    for (const SizeInBall& ball : options.ballSizes) {
+        json["size_ball"].push_back({{"centre", toJson(ball.centre)},
+                                     {"radius", ball.radius},
+                                     {"size", ball.size},
+                                     {"growth", ball.growth.value_or(1.0 / options.grading)}});
+    }
 }
 
 Json toJson(const MeshOptions& options)
 {
     Json json = {{"dimension", options.dimension},
+                 {"faces", options.faces},
                  {"size", orNull(options.size)},
                  {"min_size", orNull(options.minSize)},
                  {"curvature", options.curvature},
@@ -61,6 +88,11 @@ Json toJson(const MeshOptions& options)
                  {"refinement", options.refinement},
                  {"grading", options.grading},
                  {"local_sizes", Json::object()},
+                 {"size_distance", Json::array()},
+                 {"size_box", Json::array()},
+                 {"size_ball", Json::array()},
+                 {"size_formula", options.sizeFormula},
+                 {"size_points", options.sizePoints},
                  {"background", options.background},
                  {"min_angle", options.minAngle},
                  {"max_turn", options.maxTurn},
@@ -72,7 +104,7 @@ Json toJson(const MeshOptions& options)
                  {"max_elements", options.maxElements},
                  {"timeout", orNull(options.timeout)},
                  {"check", options.isChecked}};
-    for (const LocalSize& local : options.localSizes) json["local_sizes"][local.entity] = local.size;
+    addWishes(options, json);
     return json;
 }
 

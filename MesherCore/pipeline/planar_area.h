@@ -1,16 +1,11 @@
 #pragma once
 
-#include "brep/brep_model.h"
-
-#include <optional>
+#include "brep/planar_curve_complex.h"
 
 namespace mesher {
 
-/// Area of a plane face from its exact boundary curves by Green's theorem, model units squared; nothing if the face is not plane.
-/// Cost         a Gauss rule of five points on sixteen panels between the knots of each edge
-[[nodiscard]] std::optional<double> planarArea(const BrepModel& model, BrepFaceId face);
-
-/// Length of an edge, by the same rule.
-[[nodiscard]] double edgeLength(const BrepEdge& edge);
+/// Area of all regions of a plane domain from its exact curves by Green's theorem; model units squared.
+/// Cost         a Gauss rule of five points on sixteen panels between the knots of each curve
+[[nodiscard]] double planarArea(const PlanarCurveComplex& complex);
 
 }  // namespace mesher

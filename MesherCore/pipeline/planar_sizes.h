@@ -6,15 +6,23 @@
 #include "sizing/sizing_field.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace mesher {
 
-/// The sizes that the options ask for on a plane domain, as one field: the smallest of the uniform size, those on single edges
-/// and vertices, those of the curvature and sag of the curves, and `background` (may be none), not below the least size.
-/// Sizes of curves and points grow by distance / grading. Nothing if the options ask for none.
-/// Refuses      a local size on an entity that is not part of the domain, or on a face of several
-[[nodiscard]] Result<std::shared_ptr<const SizingField>>
-planarSizes(const PlanarCurveComplex& complex, const MeshOptions& options,
-            std::shared_ptr<const SizingField> background);
+struct PlanarSizes
+{
+    std::shared_ptr<const SizingField> field;  ///< none if the options ask for no sizes
+    std::vector<std::string> warnings;
+};
+
+/// The sizes that the options ask for on a plane domain, as one field: the smallest of those of spaceSizes, on faces, edges and
+/// vertices, by the distance to them, of the curvature and sag of the curves, and `fromFiles` (may be none), not below the least
+/// size. Sizes of entities grow by distance / grading.
+/// Requires     valid options
+/// Refuses      a size on an entity that is not part of the domain
+[[nodiscard]] Result<PlanarSizes> planarSizes(const PlanarCurveComplex& complex, const MeshOptions& options,
+                                              std::shared_ptr<const SizingField> fromFiles);
 
 }  // namespace mesher

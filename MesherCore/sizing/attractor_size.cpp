@@ -1,6 +1,7 @@
 #include "sizing/attractor_size.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace mesher {
@@ -80,16 +81,24 @@ double AttractorSize::smallestNear(const Vec3& centre, double radius) const
 {
     double smallest = kNoSize;
     if (nodes_.empty()) return smallest;
-    std::vector<std::uint32_t> stack{0};
-    while (!stack.empty()) {
-        const std::uint32_t index = stack.back();
-        stack.pop_back();
-        const Node& node = nodes_[index];
-        const double bound = sizeFrom(node.smallest, std::max(0.0, distanceToBox(centre, node.box) - radius));
+    const auto boundOf = [&](std::uint32_t node) {
+        const double distance = std::max(0.0, distanceToBox(centre, nodes_[node].box) - radius);
+        return sizeFrom(nodes_[node].smallest, distance);
+    };
+    // Halving leaves trees of less depth than bits in a number of attractors.
+    std::array<std::pair<double, std::uint32_t>, 40> stack;
+    std::size_t waiting = 0;
+    stack[waiting++] = {boundOf(0), 0};
+    while (waiting > 0) {
+        const auto [bound, index] = stack[--waiting];
         if (bound >= smallest) continue;
+        const Node& node = nodes_[index];
         if (node.second != 0) {
-            stack.push_back(node.second);
-            stack.push_back(index + 1);
+            std::pair near{boundOf(index + 1), index + 1};
+            std::pair far{boundOf(node.second), node.second};
+            if (far.first < near.first) std::swap(near, far);
+            stack[waiting++] = far;
+            stack[waiting++] = near;
             continue;
         }
         for (std::uint32_t i = node.begin; i < node.end; ++i) {

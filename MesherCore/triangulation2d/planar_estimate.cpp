@@ -2,97 +2,142 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace mesher {
 namespace {
 
 /// Triangles per area in units of the size; measured on a square and an annulus at uniform size.
 constexpr double kTrianglesPerSquare = 2.72;
-constexpr int kDeepestSubdivision = 7;
+/// Where the largest size is less than this times the smallest one, the size at the middle stands for all.
+constexpr double kEvenSizes = 1.6;
+constexpr std::size_t kMostSubdivisions = 100'000;
 
+/// A part of a triangle of the initial triangulation.
+struct Part
+{
+    std::array<Vec2, 3> corner;
+    TriangleId whole;
+    double share = 1.0;  ///< of the whole
+};
+
+/// Divides triangles where the size varies, the larger parts first, until it hardly does in any of them.
 class Integral
 {
 public:
-    Integral(const PlanarDomain& domain, const PlanarSizing& sizing) : domain_(domain), sizing_(sizing) {}
-
-    double over(const std::array<Vec2, 3>& corners, const std::array<double, 3>& scales) const
+    Integral(const PlanarDomain& domain, const PlanarSizing& sizing, const Triangulation2d& mesh)
+        : domain_(domain), sizing_(sizing), mesh_(mesh)
     {
-        return integrate(corners, corners, scales, kDeepestSubdivision);
+    }
+
+    void add(TriangleId t)
+    {
+        const Triangle2d& record = mesh_.triangle(t);
+        parts_.push_back(
+            {{mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2])}, t});
+    }
+
+    double sum()
+    {
+        double count = 0.0;
+        for (std::size_t next = 0; next < parts_.size(); ++next) count += countOrDivide(Part(parts_[next]));
+        return count;
     }
 
 private:
-    [[nodiscard]] double sizeAt(Vec2 p, const std::array<Vec2, 3>& corners,
-                                const std::array<double, 3>& scales) const
+    /// The number of triangles in a part, or none if it is divided.
+    double countOrDivide(const Part& part)
     {
+        const auto& [a, b, c] = part.corner;
+        const Vec2 middle = (1.0 / 3.0) * (a + b + c);
+        const double size = sizeAt(middle, part.whole);
+        const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
+        const auto [smallest, largest] = rangeIn(part, middle, reach, size);
+        const bool isResolved = reach < smallest || largest < kEvenSizes * smallest;
+        if (!isResolved && subdivisions_ < kMostSubdivisions) {
+            ++subdivisions_;
+            divide(part);
+            return 0.0;
+        }
+        // What could not be divided any further counts for the worst; no part of the initial triangulation goes away.
+        const double wanted = isResolved ? size : smallest;
+        return std::max(part.share, kTrianglesPerSquare * (0.5 * cross(b - a, c - a) / wanted) / wanted);
+    }
+
+    void divide(const Part& part)
+    {
+        const auto& [a, b, c] = part.corner;
+        const Vec2 ab = 0.5 * (a + b);
+        const Vec2 bc = 0.5 * (b + c);
+        const Vec2 ca = 0.5 * (c + a);
+        for (const std::array<Vec2, 3>& corner :
+             {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{bc, ca, ab}}) {
+            parts_.push_back({corner, part.whole, 0.25 * part.share});
+        }
+    }
+
+    /// By the length scales of the corners and of the subcurves among the sides, between whose ends they are interpolated.
+    [[nodiscard]] double sizeAt(Vec2 p, TriangleId whole) const
+    {
+        const Triangle2d& record = mesh_.triangle(whole);
         double size = wantedSize(domain_, sizing_, p);
-        for (std::size_t i = 0; i < 3; ++i)
-            size = std::min(size, scales[i] + length(p - corners[i]) / sizing_.grading);
+        for (unsigned i = 0; i < 3; ++i) {
+            const VertexId a = record.v[nextCorner(i)];
+            const VertexId b = record.v[previousCorner(i)];
+            const Vec2 along = mesh_.position(b) - mesh_.position(a);
+            const Vec2 toP = p - mesh_.position(a);
+            // A side that is no subcurve stands for its first end only.
+            const double share =
+                record.isConstrained(i) ? std::clamp(dot(toP, along) / squaredLength(along), 0.0, 1.0) : 0.0;
+            const double scale = (1.0 - share) * mesh_.lengthScale(a) + share * mesh_.lengthScale(b);
+            size = std::min(size, scale + length(toP - share * along) / sizing_.grading);
+        }
         return size;
     }
 
-    double integrate(const std::array<Vec2, 3>& part, const std::array<Vec2, 3>& corners,
-                     const std::array<double, 3>& scales, int depth) const
+    /// Of the sizes in a part. A field may be small at a place between all those that it is asked at.
+    [[nodiscard]] std::pair<double, double> rangeIn(const Part& part, Vec2 middle, double reach,
+                                                    double size) const
     {
-        const Vec2 middle = (1.0 / 3.0) * (part[0] + part[1] + part[2]);
-        const double size = sizeAt(middle, corners, scales);
-        const double reach =
-            std::max({length(part[0] - middle), length(part[1] - middle), length(part[2] - middle)});
-        if (depth == 0 || !varies(part, corners, scales, size) || reach < size) {
-            // No piece of the initial triangulation is less than a triangle.
-            const double pieces = std::ldexp(1.0, -2 * (kDeepestSubdivision - depth));
-            const double area = 0.5 * cross(part[1] - part[0], part[2] - part[0]);
-            return std::max(pieces, kTrianglesPerSquare * area / (size * size));
+        std::pair<double, double> range = {size, size};
+        for (const Vec2 p : part.corner) {
+            const double there = sizeAt(p, part.whole);
+            range = {std::min(range.first, there), std::max(range.second, there)};
         }
-        const Vec2 m0 = 0.5 * (part[1] + part[2]);
-        const Vec2 m1 = 0.5 * (part[2] + part[0]);
-        const Vec2 m2 = 0.5 * (part[0] + part[1]);
-        return integrate({part[0], m2, m1}, corners, scales, depth - 1) +
-               integrate({m2, part[1], m0}, corners, scales, depth - 1) +
-               integrate({m1, m0, part[2]}, corners, scales, depth - 1) +
-               integrate({m0, m1, m2}, corners, scales, depth - 1);
-    }
-
-    [[nodiscard]] bool varies(const std::array<Vec2, 3>& part, const std::array<Vec2, 3>& corners,
-                              const std::array<double, 3>& scales, double size) const
-    {
-        constexpr double kTolerance = 0.2;
-        return std::any_of(part.begin(), part.end(), [&](Vec2 p) {
-            return std::abs(sizeAt(p, corners, scales) - size) > kTolerance * size;
-        });
+        if (sizing_.field == nullptr) return range;
+        const double unit = domain_.scale();
+        const double inside = unit * sizing_.field->smallestNear(domain_.toSpace(middle), reach / unit);
+        return {std::min(range.first, inside), range.second};
     }
 
     const PlanarDomain& domain_;
     const PlanarSizing& sizing_;
+    const Triangulation2d& mesh_;
+    std::vector<Part> parts_;
+    std::size_t subdivisions_ = 0;
 };
 
 }  // namespace
 
-Result<double> estimateTriangleCount(const PlanarCurveComplex& complex, const PlanarOptions& options,
-                                     RunContext& context)
+double expectedTriangleCount(const PlanarDomain& domain, const PlanarSizing& sizing,
+                             const PlanarTriangulation& triangulation)
 {
-    PlanarOptions initial = options;
-    initial.isRefined = false;
-    auto result = triangulatePlanar(complex, initial, context);
-    if (!result) return result.error();
-    const auto domain = PlanarDomain::make(complex);
-    if (!domain) return domain.error();
-    const PlanarTriangulation& t = result->triangulation;
-    if (!options.refinement.sizing.isActive()) return static_cast<double>(result->counts.initialTriangles);
-    const Integral integral(*domain, options.refinement.sizing);
-    double count = 0.0;
-    for (std::uint32_t i = 0; i < t.mesh().triangleSlots(); ++i) {
+    const Triangulation2d& mesh = triangulation.mesh();
+    Integral integral(domain, sizing, mesh);
+    double unsized = 0.0;
+    for (std::uint32_t i = 0; i < mesh.triangleSlots(); ++i) {
         const TriangleId id(i);
-        if (!t.mesh().isAlive(id) || !t.isMeshed(id)) continue;
-        std::array<Vec2, 3> corners;
-        std::array<double, 3> scales{};
-        for (unsigned k = 0; k < 3; ++k) {
-            corners[k] = t.mesh().position(t.mesh().triangle(id).v[k]);
-            scales[k] = t.mesh().lengthScale(t.mesh().triangle(id).v[k]);
+        if (!mesh.isAlive(id) || !triangulation.isMeshed(id)) continue;
+        if (sizing.isActive()) {
+            integral.add(id);
+        } else {
+            unsized += 1.0;
         }
-        count += integral.over(corners, scales);
     }
-    return count;
+    return unsized + integral.sum();
 }
 
 }  // namespace mesher

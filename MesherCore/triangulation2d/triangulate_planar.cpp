@@ -1,6 +1,7 @@
 #include "triangulation2d/triangulate_planar.h"
 
 #include "triangulation2d/constrained_delaunay2d.h"
+#include "triangulation2d/planar_estimate.h"
 
 #include <chrono>
 #include <string>
@@ -105,8 +106,14 @@ Result<PlanarResult> triangulatePlanar(const PlanarCurveComplex& complex, const 
     result.counts.initialTriangles = result.counts.triangles;
     if (options.refinement.sizing.isActive())
         setLengthScales(*domain, options.refinement.sizing, triangulation);
+    result.counts.expectedTriangles =
+        expectedTriangleCount(*domain, options.refinement.sizing, triangulation);
     result.seconds.initialTriangulation = watch.lap();
     if (!options.isRefined) return result;
+    if (result.counts.expectedTriangles > options.mostExpectedTriangles) {
+        result.stopReason = StopReason::ElementLimit;
+        return result;
+    }
 
     result.refinement = refine(*domain, options.refinement, context, budget, triangulation);
     result.stopReason = result.refinement.stopReason;

@@ -11,6 +11,7 @@
 #include "triangulation2d/planar_triangulation.h"
 
 #include <cstddef>
+#include <limits>
 
 namespace mesher {
 
@@ -22,6 +23,9 @@ struct PlanarOptions
     BudgetLimits limits{.maxElements = 50'000'000, .maxTime = {}};
     /// If false, the result is the initial constrained Delaunay triangulation.
     bool isRefined = true;
+    /// Refinement that is expected (planar_estimate.h) to end with more triangles than this does not begin: the result is the
+    /// initial triangulation, with StopReason::ElementLimit.
+    double mostExpectedTriangles = std::numeric_limits<double>::infinity();
 };
 
 /// What the steps did.
@@ -32,6 +36,7 @@ struct PlanarCounts
     BoundaryEnrichment2d enrichment;
     std::size_t initialVertices = 0;
     std::size_t initialTriangles = 0;  ///< of regions
+    double expectedTriangles = 0.0;    ///< before the refinement, see planar_estimate.h
     std::size_t vertices = 0;
     std::size_t triangles = 0;  ///< of regions
     std::size_t boundaryEdges = 0;

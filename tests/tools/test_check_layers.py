@@ -71,6 +71,24 @@ class CheckLayers(unittest.TestCase):
         for header in ("TopoDS_Shape.hxx", "tbb/parallel_for.h", "CGAL/Simple_cartesian.h", "gtest/gtest.h"):
             self.assert_refused({"MesherCore/top/c.cpp": f"# include <{header}>\n"}, f"<{header}>")
 
+    def test_accepts_an_adapter_in_itself_and_in_its_users_only(self):
+        tree = {
+            "MesherCore/CMakeLists.txt": ("add_subdirectory(base)\nadd_subdirectory(brep)\nadd_subdirectory(middle)\n"
+                                          "add_subdirectory(top)\nadd_subdirectory(cli)\n"),
+            "MesherCore/brep/CMakeLists.txt": "mesher_layer(brep SOURCES e.cpp)\n",
+            "MesherCore/middle/CMakeLists.txt": "mesher_layer(middle SOURCES b.cpp USES base brep)\n",
+            "MesherCore/cli/CMakeLists.txt": "mesher_layer(cli SOURCES main.cpp USES brep)\n",
+            "MesherCore/brep/occt/e.h": "#pragma once\n",
+            "MesherCore/brep/occt/e.cpp": '#include "brep/occt/e.h"\n',
+            "MesherCore/cli/main.cpp": '#include "brep/occt/e.h"\n',
+        }
+        status, output = self.run_on(tree)
+        self.assertEqual(status, 0, output)
+        refusal = "may not include the adapter 'brep/occt'"
+        for place in ("brep/e.cpp", "brep/analytic/e.cpp", "middle/b.cpp"):
+            with self.subTest(place=place):
+                self.assert_refused({**tree, f"MesherCore/{place}": '#include "brep/occt/e.h"\n'}, f"MesherCore/{place}:1:", refusal)
+
     def test_accepts_occt_headers_in_their_folder_only(self):
         brep = {
             "MesherCore/CMakeLists.txt": SOUND_TREE["MesherCore/CMakeLists.txt"] + "add_subdirectory(brep)\n",

@@ -74,7 +74,7 @@ public:
                          {},
                          "export solids, shells or faces"};
         }
-        addVertices();
+        if (auto added = addVertices(); !added) return added.error();
         for (int i = 1; i <= edges_.Extent(); ++i) {
             const std::string name = nameOf(BrepEdgeId(static_cast<std::uint32_t>(i - 1)));
             auto added = guarded(name, kRepairRemedy, [&] { return addEdge(TopoDS::Edge(edges_(i)), name); });
@@ -96,12 +96,18 @@ private:
         model_.notes.push_back(entity + " " + text);
     }
 
-    void addVertices()
+    Result<void> addVertices()
     {
         for (int i = 1; i <= vertices_.Extent(); ++i) {
             const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices_(i));
-            model_.vertices.push_back({toVec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex)});
+            const BrepVertex added = {toVec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex)};
+            if (!isFinite(added.position)) {
+                return broken(nameOf(BrepVertexId(static_cast<std::uint32_t>(i - 1))),
+                              "the vertex is at no finite place");
+            }
+            model_.vertices.push_back(added);
         }
+        return {};
     }
 
     Result<void> addEdge(const TopoDS_Edge& found, const std::string& name)
@@ -128,6 +134,10 @@ private:
         }
         if (!result.isDegenerate) {
             result.curve = makeCurve(geometry, result.part);
+            for (const double share : {0.0, 0.5, 1.0}) {
+                if (!isFinite(result.curve->position(result.part.at(share))))
+                    return broken(name, "the edge's curve has places that are not finite");
+            }
             noteEnds(result, name);
         }
         if (!BRep_Tool::SameParameter(edge) && !result.isDegenerate)

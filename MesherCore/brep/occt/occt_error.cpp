@@ -8,19 +8,10 @@
 #include <iostream>
 #include <mutex>
 #include <new>
-#include <streambuf>
 
 namespace mesher {
 
 namespace {
-
-/// Swallows what is written to it.
-class NullBuffer final : public std::streambuf
-{
-protected:
-    int_type overflow(int_type c) override { return traits_type::not_eof(c); }
-    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
-};
 
 std::mutex& occtMutex()
 {
@@ -38,7 +29,7 @@ Error errorOfException(const std::string& entity, const std::string& remedy)
     } catch (const Standard_Failure& failure) {
         reason = failure.DynamicType()->Name();
         const char* text = failure.GetMessageString();
-        if (text != nullptr && *text != '\0') reason += std::string(": ") + text;
+        if (text != nullptr && *text != '\0') reason.append(": ").append(text);
     } catch (const std::bad_alloc&) {
         reason = "out of memory";
     } catch (const std::exception& exception) {
@@ -53,8 +44,6 @@ struct OcctSilence::State
 {
     std::unique_lock<std::mutex> lock{occtMutex()};
     Message_SequenceOfPrinters printers;
-    NullBuffer nothing;
-    std::streambuf* output = nullptr;
 };
 
 OcctSilence::OcctSilence() : state_(std::make_unique<State>())
@@ -62,13 +51,23 @@ OcctSilence::OcctSilence() : state_(std::make_unique<State>())
     Message_SequenceOfPrinters& printers = Message::DefaultMessenger()->ChangePrinters();
     state_->printers = printers;
     printers.Clear();
-    state_->output = std::cout.rdbuf(&state_->nothing);
 }
 
-OcctSilence::~OcctSilence()
+OcctSilence::~OcctSilence() { Message::DefaultMessenger()->ChangePrinters() = state_->printers; }
+
+/// Swallows what is written to it.
+class StandardOutputSilence::NullBuffer final : public std::streambuf
 {
-    std::cout.rdbuf(state_->output);
-    Message::DefaultMessenger()->ChangePrinters() = state_->printers;
+protected:
+    int_type overflow(int_type c) override { return traits_type::not_eof(c); }
+    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+};
+
+StandardOutputSilence::StandardOutputSilence()
+    : nothing_(std::make_unique<NullBuffer>()), output_(std::cout.rdbuf(nothing_.get()))
+{
 }
+
+StandardOutputSilence::~StandardOutputSilence() { std::cout.rdbuf(output_); }
 
 }  // namespace mesher

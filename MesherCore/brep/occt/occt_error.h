@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <memory>
+#include <streambuf>
 #include <string>
 #include <utility>
 
@@ -24,9 +25,8 @@ template <class Step>
     }
 }
 
-/// Keeps OCCT's messages from the terminal while it lives: those to its messenger and those that old code writes to std::cout.
-/// Both exist once per process, and its readers keep settings there too, so that only one of these lives at a time: another
-/// thread waits.
+/// Keeps OCCT's messages to its messenger from the terminal while it lives. The messenger exists once per process, and OCCT's
+/// readers keep settings there too, so that only one of these lives at a time: another thread waits.
 class OcctSilence
 {
 public:
@@ -38,6 +38,24 @@ public:
 private:
     struct State;
     std::unique_ptr<State> state_;
+};
+
+/// Keeps from the terminal what OCCT's reader of BREP texts writes to std::cout about damaged files ("Not a Curve table"): it
+/// takes neither another stream nor a switch, and where a file is damaged is known to it only. While this lives, what other
+/// threads write to std::cout is lost, which is why it is made for that reader alone.
+/// Requires     a living OcctSilence, so that there is one of these at a time
+class StandardOutputSilence
+{
+public:
+    StandardOutputSilence();
+    ~StandardOutputSilence();
+    StandardOutputSilence(const StandardOutputSilence&) = delete;
+    StandardOutputSilence& operator=(const StandardOutputSilence&) = delete;
+
+private:
+    class NullBuffer;
+    std::unique_ptr<NullBuffer> nothing_;
+    std::streambuf* output_;
 };
 
 }  // namespace mesher

@@ -1,6 +1,7 @@
 #include "brep/occt/shape_reader.h"
 
 #include "brep/occt/occt_error.h"
+#include "brep/occt/step_damage.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -15,6 +16,7 @@
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -58,6 +60,8 @@ Result<ShapeFromFile> readStep(const std::string& content, const std::string& na
     const IFSelect_ReturnStatus status = reader.ReadStream(name.c_str(), stream);
     if (status != IFSelect_RetDone)
         return unreadable(name, "the STEP file cannot be read: " + reasonOf(status));
+    if (const std::optional<std::string> damage = findDamage(reader.StepModel()))
+        return unreadable(name, "the STEP file is damaged at " + *damage);
     Result<TopoDS_Shape> shape = transfer(reader, name);
     if (!shape) return shape.error();
     TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
@@ -86,32 +90,30 @@ std::istringstream throwingStream(const std::string& content)
     return stream;
 }
 
-Result<ShapeFromFile> readText(const std::string& content, const std::string& name)
+ShapeFromFile readText(const std::string& content)
 {
+    const StandardOutputSilence silence;
     // The blank keeps the last number from ending at the end of the stream.
     std::istringstream stream = throwingStream(content + "\n");
     TopoDS_Shape shape;
     BRepTools::Read(shape, stream, BRep_Builder());
-    if (shape.IsNull()) return unreadable(name, "the BREP text is truncated or damaged");
-    return ShapeFromFile{shape, ""};
+    return {shape, ""};
 }
 
 /// After the shapes OCCT names the root by a sign and two integers, FreeCAD by three integers.
-Result<ShapeFromFile> readBinary(const std::string& content, const std::string& name)
+ShapeFromFile readBinary(const std::string& content)
 {
     constexpr std::size_t kFreeCadTrailer = 3 * sizeof(std::int32_t);
-    const Error damaged = unreadable(name, "the binary BREP is truncated or damaged");
     std::istringstream stream = throwingStream(content);
     BinTools_ShapeSet set;
     set.Read(stream);
-    if (set.NbShapes() == 0) return damaged;
+    if (set.NbShapes() == 0) return {};
     const auto position = static_cast<std::size_t>(stream.tellg());
     if (content.size() - position != kFreeCadTrailer) {
         std::istringstream again = throwingStream(content);
         TopoDS_Shape shape;
         BinTools::Read(shape, again);
-        if (shape.IsNull()) return damaged;
-        return ShapeFromFile{shape, ""};
+        return {shape, ""};
     }
     int index = 0, location = 0, orientation = 0;
     BinTools::GetInteger(stream, index);
@@ -120,11 +122,25 @@ Result<ShapeFromFile> readBinary(const std::string& content, const std::string& 
     const bool isValid = 1 <= index && index <= set.NbShapes() && 0 <= location &&
                          location <= set.Locations().NbLocations() && TopAbs_FORWARD <= orientation &&
                          orientation <= TopAbs_EXTERNAL;
-    if (!isValid) return damaged;
+    if (!isValid) return {};
     TopoDS_Shape shape = set.Shape(index);
     shape.Location(set.Locations().Location(location));
     shape.Orientation(static_cast<TopAbs_Orientation>(orientation));
-    return ShapeFromFile{shape, ""};
+    return {shape, ""};
+}
+
+/// Runs one of the two readers of BREP; a null shape from it means damage, as does an end of the stream before its own.
+template <class Read>
+Result<ShapeFromFile> readBrep(const std::string& name, Read read)
+{
+    const Error damaged = unreadable(name, "the BREP is truncated or damaged");
+    try {
+        ShapeFromFile result = read();
+        if (result.shape.IsNull()) return damaged;
+        return result;
+    } catch (const std::ios_base::failure&) {
+        return damaged;
+    }
 }
 
 }  // namespace
@@ -135,8 +151,8 @@ Result<ShapeFromFile> readShape(ModelFormat format, const std::string& content, 
         switch (format) {
             case ModelFormat::Step: return readStep(content, name);
             case ModelFormat::Iges: return readIges(name);
-            case ModelFormat::BrepText: return readText(content, name);
-            case ModelFormat::BrepBinary: return readBinary(content, name);
+            case ModelFormat::BrepText: return readBrep(name, [&] { return readText(content); });
+            case ModelFormat::BrepBinary: return readBrep(name, [&] { return readBinary(content); });
         }
         return unreadable(name, "its format is unknown");
     });

@@ -150,8 +150,13 @@ TEST(PlanarDomain, CurvedFacesAreRefusedWithTheirDistance)
     EXPECT_FALSE(planarCurveComplex(cylinder, FaceIds{}));
     expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(7u)}), "Face8", "no such face");
     expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(1u), BrepFaceId(1u)}), "Face2", "twice");
-    expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(1u), BrepFaceId(2u)}), "Edge3",
-                "3 off the plane of Face2");
+    expectError(planarCurveComplex(cylinder, FaceIds{BrepFaceId(1u), BrepFaceId(2u)}), "Face3",
+                "another plane than Face2: its boundary is up to 3 off that");
+    const BrepModel box = makeBox({0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}).value();
+    for (std::uint32_t f = 1; f < 6; ++f) {
+        expectError(planarCurveComplex(box, FaceIds{kFirst, BrepFaceId(f)}), "Face" + std::to_string(f + 1),
+                    "another plane than Face1");
+    }
 }
 
 TEST(PlanarDomain, OpenNullAndFlatWiresAreRefused)

@@ -42,6 +42,42 @@ TEST(MeshOptions, RefuseSizesThatMakeNoSense)
         expectRefused([bad](MeshOptions& o) { o.sag = bad; }, "--sag");
 }
 
+TEST(MeshOptions, RefuseBoxesBallsDistancesAndFormulasThatMakeNoSense)
+{
+    const SizeInBox box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, 0.1, {}};
+    const SizeInBall ball = {{0.0, 0.0, 0.0}, 1.0, 0.1, {}};
+    const SizeByDistance distance = {"Edge1", 0.1, 0.0, 0.0};
+    MeshOptions good;
+    good.boxSizes = {box};
+    good.ballSizes = {ball};
+    good.distanceSizes = {distance};
+    good.sizeFormula = "0.1 + x^2";
+    good.faces = {"Face1", "Face12"};
+    EXPECT_TRUE(validate(good));
+    const auto refuseAll = [&](auto SizeInBox::*boxMember, auto SizeInBall::*ballMember, double bad) {
+        expectRefused([&](MeshOptions& o) { (o.boxSizes = {box})[0].*boxMember = bad; }, "--size-box");
+        expectRefused([&](MeshOptions& o) { (o.ballSizes = {ball})[0].*ballMember = bad; }, "--size-ball");
+    };
+    for (const double bad : {-1.0, kNan, kInfinity}) {
+        refuseAll(&SizeInBox::size, &SizeInBall::size, bad);
+        refuseAll(&SizeInBox::growth, &SizeInBall::growth, bad);
+        expectRefused([&](MeshOptions& o) { (o.ballSizes = {ball})[0].radius = bad; }, "--size-ball");
+        expectRefused([&](MeshOptions& o) { (o.distanceSizes = {distance})[0].size = bad; },
+                      "--size-distance");
+        expectRefused([&](MeshOptions& o) { (o.distanceSizes = {distance})[0].growth = bad; },
+                      "--size-distance");
+        expectRefused([&](MeshOptions& o) { (o.distanceSizes = {distance})[0].plateau = bad; },
+                      "--size-distance");
+    }
+    for (const double bad : {kNan, kInfinity}) {
+        expectRefused([&](MeshOptions& o) { (o.boxSizes = {box})[0].first.y = bad; }, "--size-box");
+        expectRefused([&](MeshOptions& o) { (o.boxSizes = {box})[0].last.z = bad; }, "--size-box");
+        expectRefused([&](MeshOptions& o) { (o.ballSizes = {ball})[0].centre.x = bad; }, "--size-ball");
+    }
+    expectRefused([](MeshOptions& o) { o.sizeFormula = "0.1 + y+"; }, "--size-formula");
+    expectRefused([](MeshOptions& o) { o.faces = {"Edge1"}; }, "--faces");
+}
+
 TEST(MeshOptions, RefuseWhatIsOutOfRange)
 {
     for (const double bad : {kNan, -1.0, 1e9}) {

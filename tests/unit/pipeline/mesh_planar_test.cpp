@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace mesher {
@@ -38,6 +40,12 @@ TEST(MeshPlanar, MakesAValidClassifiedMesh)
     const PlanarMeshOutcome outcome = meshPlanar(annulus(), sized(0.2), nullptr, 4, context);
     ASSERT_TRUE(outcome.result);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Done);
+    for (const MeshNode& node : outcome.result->mesh.nodes) {
+        EXPECT_TRUE(node.entity.dimension < 2 || node.entity.index == 0);
+        if (node.entity.dimension != 1) continue;
+        const PlanarCurveComplex complex = annulus();
+        EXPECT_EQ(complex.curves[node.entity.index].curve->position(node.parameters.x), node.position);
+    }
     const ClassifiedMesh& mesh = outcome.result->mesh;
     const MeshCheckReport check = checkMesh(mesh);
     EXPECT_TRUE(check.isValid());
@@ -78,15 +86,28 @@ TEST(MeshPlanar, GivesTheSameMeshEachTime)
 TEST(MeshPlanar, SaysThatALimitEndedIt)
 {
     RunContext context;
-    MeshOptions options = sized(0.01);
-    options.maxElements = 1000;
+    MeshOptions options = sized(0.02);
+    options.maxElements = 40000;
     const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Failed);
     EXPECT_EQ(outcome.report.stopReason, StopReason::ElementLimit);
     ASSERT_EQ(outcome.report.failures.size(), 1u);
-    EXPECT_NE(describe(outcome.report.failures[0]).find("1000 elements"), std::string::npos);
+    EXPECT_NE(describe(outcome.report.failures[0]).find("limit of 40000 elements"), std::string::npos);
     ASSERT_TRUE(outcome.result);
+    EXPECT_GE(outcome.result->mesh.triangles.size(), 40000u);
     EXPECT_TRUE(checkMesh(outcome.result->mesh).isValid());
+}
+
+TEST(MeshPlanar, RefusesBeforehandWhatWouldExceedTheLimitByFar)
+{
+    RunContext context;
+    MeshOptions options = sized(1e-200);
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
+    EXPECT_EQ(outcome.report.stopReason, StopReason::ElementLimit);
+    ASSERT_EQ(outcome.report.failures.size(), 1u);
+    EXPECT_NE(describe(outcome.report.failures[0]).find("would be needed"), std::string::npos);
+    ASSERT_TRUE(outcome.result);
+    EXPECT_LT(outcome.result->mesh.triangles.size(), 1000u);
 }
 
 TEST(MeshPlanar, SaysThatItWasCancelled)
@@ -153,6 +174,118 @@ TEST(MeshPlanar, KeepsSizesOfCurvesAndPoints)
     EXPECT_LT(shortestEdgeWith(options), 0.03);
 }
 
+/// What the field promises at a node and, by the limits of the refinement, what the edges there keep.
+void expectEdgesWithin(const ClassifiedMesh& mesh, const std::function<double(Vec3)>& wanted)
+{
+    constexpr double kSlack = 1.8;  // triangles are refined by their circumradius, and may reach out of a box
+    for (const MeshElement<3>& triangle : mesh.triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 a = mesh.nodes[triangle.node[i]].position;
+            const Vec3 b = mesh.nodes[triangle.node[(i + 1) % 3]].position;
+            EXPECT_LE(length(b - a), kSlack * wanted(0.5 * (a + b)));
+        }
+    }
+}
+
+std::size_t expectSizes(const MeshOptions& options, const std::function<double(Vec3)>& wanted)
+{
+    RunContext context;
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
+    EXPECT_TRUE(outcome.result);
+    if (!outcome.result) return 0;
+    EXPECT_TRUE(checkMesh(outcome.result->mesh).isValid());
+    expectEdgesWithin(outcome.result->mesh, wanted);
+    const auto triangles = static_cast<double>(outcome.result->mesh.triangles.size());
+    for (const auto& [name, count] : outcome.report.counts) {
+        if (name == "expected_triangles") {
+            EXPECT_NEAR(static_cast<double>(count), triangles, 0.5 * triangles);
+        }
+    }
+    return outcome.result->mesh.triangles.size();
+}
+
+TEST(MeshPlanar, KeepsSizesInBoxesAndBalls)
+{
+    const std::size_t plain = expectSizes(sized(0.4), [](Vec3) { return 0.4; });
+    MeshOptions options = sized(0.4);
+    options.boxSizes = {{{2.0, 0.5, 0.0}, {1.0, -0.5, 0.0}, 0.04, {}}};
+    const std::size_t boxed = expectSizes(options, [](Vec3 p) {
+        const bool isInside = p.x >= 1.0 && std::abs(p.y) <= 0.5;
+        return isInside ? 0.04 : 0.4;
+    });
+    EXPECT_GT(boxed, 10 * plain / 4);
+    options = sized(0.4);
+    options.ballSizes = {{{0.0, 1.5, 0.0}, 0.3, 0.03, 0.1}};
+    const std::size_t slow = expectSizes(options, [](Vec3 p) {
+        return std::min(0.4, 0.03 + 0.1 * std::max(0.0, length(p - Vec3{0.0, 1.5, 0.0}) - 0.3));
+    });
+    options.ballSizes[0].growth = 0.5;
+    EXPECT_GT(slow, expectSizes(options, [](Vec3) { return 0.4; }));
+}
+
+TEST(MeshPlanar, KeepsSizesByFormulaAndDistance)
+{
+    MeshOptions options = sized(0.4);
+    options.sizeFormula = "0.03 + 0.1*(x + 2)";
+    expectSizes(options, [](Vec3 p) { return std::min(0.4, 0.03 + 0.1 * (p.x + 2.0)); });
+    options = sized(0.4);
+    options.distanceSizes = {{"Edge2", 0.04, 0.2, 0.3}};
+    const std::size_t plateau = expectSizes(
+        options, [](Vec3 p) { return std::min(0.4, 0.04 + 0.2 * std::max(0.0, length(p) - 1.3)); });
+    options.distanceSizes[0].plateau = 0.0;
+    EXPECT_LT(
+        expectSizes(options, [](Vec3 p) { return std::min(0.4, 0.04 + 0.2 * (length(p) - 1.0) + 1e-3); }),
+        plateau);
+    options = sized(0.4);
+    options.distanceSizes = {{"Vertex1", 0.02, 0.1, 0.0}};
+    expectSizes(options, [](Vec3 p) { return 0.02 + 0.1 * length(p - Vec3{2.0, 0.0, 0.0}) + 1e-3; });
+}
+
+TEST(MeshPlanar, WarnsOfAFormulaThatAsksForNothing)
+{
+    RunContext context;
+    MeshOptions options = sized(0.4);
+    options.sizeFormula = "max(x, 0.2) - 0.2";
+    options.minSize = 0.05;
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
+    ASSERT_TRUE(outcome.result);
+    ASSERT_EQ(outcome.report.warnings.size(), 1u);
+    EXPECT_NE(outcome.report.warnings[0].find("--size-formula is not a positive number at"),
+              std::string::npos);
+    options.sizeFormula = "0.2";
+    EXPECT_TRUE(meshPlanar(annulus(), options, nullptr, 4, context).report.warnings.empty());
+}
+
+/// An annulus with a disc in it: the size of the disc holds inside of it and is left by the grading outside.
+TEST(MeshPlanar, KeepsSizesOfOneFaceOfSeveral)
+{
+    PlanarCurveComplex complex = annulus();
+    complex.curves[1].right =
+        complex.curves[1].right == RegionId(0u) ? RegionId(2u) : complex.curves[1].right;
+    complex.curves[1].left = complex.curves[1].left == RegionId(0u) ? RegionId(2u) : complex.curves[1].left;
+    complex.regionNames = {"Face1", "Face2"};
+    const auto trianglesOf = [&](const MeshOptions& options, std::uint32_t face) {
+        RunContext context;
+        const PlanarMeshOutcome outcome = meshPlanar(complex, options, nullptr, 4, context);
+        EXPECT_TRUE(outcome.result);
+        std::size_t count = 0;
+        for (const MeshElement<3>& triangle : outcome.result->mesh.triangles)
+            count += triangle.entity == EntityRef{2, face};
+        return count;
+    };
+    MeshOptions options = sized(0.5);
+    options.grading = 2.0;
+    const std::size_t plainDisc = trianglesOf(options, 1);
+    options.localSizes = {{"Face2", 0.05}};
+    // A disc of area pi at 2.7 triangles per square of the size.
+    EXPECT_NEAR(static_cast<double>(trianglesOf(options, 1)), 2.72 * std::numbers::pi / 0.0025, 500.0);
+    EXPECT_LT(plainDisc, 300u);
+    const std::size_t ring = trianglesOf(options, 0);
+    EXPECT_LT(ring, 2000u);
+    options.localSizes = {{"Face1", 0.05}};
+    EXPECT_GT(trianglesOf(options, 0), 4 * ring);
+}
+
 TEST(MeshPlanar, RefusesASizeOnWhatIsNotThere)
 {
     RunContext context;
@@ -161,6 +294,11 @@ TEST(MeshPlanar, RefusesASizeOnWhatIsNotThere)
     const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
     ASSERT_EQ(outcome.report.failures.size(), 1u);
     EXPECT_EQ(outcome.report.failures[0].entity, "Edge9");
+    options.localSizes.clear();
+    options.distanceSizes = {{"Solid1", 0.05, 0.1, 0.0}};
+    const PlanarMeshOutcome byDistance = meshPlanar(annulus(), options, nullptr, 4, context);
+    ASSERT_EQ(byDistance.report.failures.size(), 1u);
+    EXPECT_EQ(byDistance.report.failures[0].entity, "Solid1");
 }
 
 }  // namespace

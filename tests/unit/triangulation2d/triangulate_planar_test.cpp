@@ -7,8 +7,6 @@
 #include "support/planar_builder.h"
 #include "support/planar_examples.h"
 #include "triangulation2d/planar_check.h"
-#include "triangulation2d/planar_estimate.h"
-#include "triangulation2d/planar_export.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -127,15 +125,13 @@ TEST(TriangulatePlanar, findsASmallPlaceInTheMiddle)
 
 TEST(TriangulatePlanar, estimatesItsSizeBeforehand)
 {
-    RunContext context;
     for (const PlanarCurveComplex& complex : {test::annulus(), test::unitSquare(), test::splineCavity()}) {
         const UniformSize size(0.02);
         PlanarOptions options;
         options.refinement.sizing.field = &size;
-        const auto estimate = estimateTriangleCount(complex, options, context);
-        ASSERT_TRUE(estimate.hasValue());
-        const auto count = static_cast<double>(meshOf(complex, options).counts.triangles);
-        EXPECT_NEAR(*estimate, count, 0.25 * count);
+        const auto counts = meshOf(complex, options).counts;
+        const auto count = static_cast<double>(counts.triangles);
+        EXPECT_NEAR(counts.expectedTriangles, count, 0.25 * count);
     }
 }
 
@@ -299,30 +295,6 @@ TEST(PlanarCheck, knowsAreasAndEulerCharacteristics)
     EXPECT_NEAR(check.regions[0].curveArea, 3.0 * std::numbers::pi, 1e-12);
     EXPECT_NEAR(check.regions[0].area + check.regions[0].segmentArea, check.regions[0].curveArea, 1e-12);
     EXPECT_EQ(check.regions[0].eulerCharacteristic, 0);
-}
-
-TEST(PlanarExport, keepsExactPlacesAndEntities)
-{
-    PlanarCurveComplex complex = test::annulus();
-    for (std::uint32_t i = 0; i < 2; ++i) {
-        complex.curves[i].edge = BrepEdgeId(10 + i);
-        complex.points[i].vertex = BrepVertexId(20 + i);
-    }
-    const PlanarResult result = meshOf(complex);
-    const auto domain = PlanarDomain::make(complex);
-    const EntityRef face{2, 5};
-    const ClassifiedMesh mesh = exportPlanarMesh(*domain, result.triangulation, std::span(&face, 1));
-    EXPECT_EQ(mesh.triangles.size(), result.counts.triangles);
-    EXPECT_EQ(mesh.lines.size(), result.counts.boundaryEdges);
-    EXPECT_EQ(mesh.nodes.size(), result.counts.vertices);
-    EXPECT_EQ(mesh.points.size(), 2u);
-    for (const MeshNode& node : mesh.nodes) {
-        if (node.entity.dimension == 2) {
-            EXPECT_EQ(node.entity, face);
-        }
-        if (node.entity.dimension != 1) continue;
-        EXPECT_EQ(complex.curves[node.entity.index - 10].curve->position(node.parameters.x), node.position);
-    }
 }
 
 }  // namespace
