@@ -1,9 +1,10 @@
 #include "pipeline/mesh_model.h"
 
-#include "brep/planar_domain.h"
-#include "pipeline/estimate.h"
 #include "pipeline/mesh_planar.h"
+#include "pipeline/mesh_solids.h"
 #include "pipeline/planar_area.h"
+#include "pipeline/planar_model.h"
+#include "predicates/fp_environment.h"
 
 #include <string>
 #include <utility>
@@ -13,84 +14,74 @@ namespace mesher {
 
 namespace {
 
-MeshOutcome refuse(const MeshOptions& options, Error error)
+MeshOutcome refuse(Error error)
 {
     MeshOutcome outcome;
-    outcome.report.options = options;
-    outcome.report.versions = {{"mesher", MESHER_VERSION}};
     outcome.report.status = MeshReport::Status::Failed;
     if (error.entity.empty()) error.entity = "model";
     outcome.report.failures.push_back(std::move(error));
     return outcome;
 }
 
-/// All faces of the model, if none of them is turned against the first.
-Result<std::vector<BrepFaceId>> facesInOnePlane(const BrepModel& model)
+/// Whether the faces to mesh lie in parallel planes, so that the mesher of plane domains tells what is wrong if they cannot be
+/// meshed together.
+bool isPlane(const BrepModel& model, const MeshOptions& options)
 {
     constexpr double kLargestTurn = 1e-6;  // radians; the exact test is that of planarCurveComplex
-    std::vector<BrepFaceId> faces;
+    if (!options.faces.empty()) return true;
     std::optional<PlaneFrame> first;
-    for (std::uint32_t i = 0; i < model.faces.size(); ++i) {
-        const std::optional<PlaneFrame> frame = model.faces[BrepFaceId(i)].surface->planeFrame();
+    for (const BrepFace& face : model.faces) {
+        const std::optional<PlaneFrame> frame = face.surface->planeFrame();
+        if (!frame) return false;
         if (!first) first = frame;
-        if (frame && length(cross(frame->normal, first->normal)) > kLargestTurn) {
-            return Error{ErrorCode::InvalidArgument, "lies in another plane than the faces before it",
-                         nameOf(BrepFaceId(i)), frame->origin, "mesh the faces of each plane on their own"};
-        }
-        faces.push_back(BrepFaceId(i));
+        if (length(cross(frame->normal, first->normal)) > kLargestTurn) return false;
     }
-    return faces;
-}
-
-double areaOfPlaneFaces(const BrepModel& model)
-{
-    double area = 0.0;
-    for (std::uint32_t i = 0; i < model.faces.size(); ++i)
-        area += planarArea(model, BrepFaceId(i)).value_or(0.0);
-    return area;
+    return true;
 }
 
 MeshOutcome meshPlaneFaces(const BrepModel& model, const MeshOptions& options,
-                           std::shared_ptr<const SizingField> background, int boundaryOrder,
+                           std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
                            RunContext& context)
 {
-    const Result<void> affordable = checkAffordable(estimatePlanar(model, options), options);
-    if (!affordable) return refuse(options, affordable.error());
-    const Result<std::vector<BrepFaceId>> faces = facesInOnePlane(model);
-    if (!faces) return refuse(options, faces.error());
-    const Result<PlanarCurveComplex> complex = planarCurveComplex(model, faces.value());
-    if (!complex) return refuse(options, complex.error());
+    const Result<PlanarCurveComplex> complex = planarModel(model, options);
+    if (!complex) return refuse(complex.error());
     PlanarMeshOutcome planar =
-        meshPlanar(complex.value(), options, std::move(background), boundaryOrder, context);
+        meshPlanar(complex.value(), options, std::move(fromFiles), boundaryOrder, context);
     MeshOutcome outcome;
     outcome.report = std::move(planar.report);
-    outcome.report.modelArea = areaOfPlaneFaces(model);
+    outcome.report.modelArea = planarArea(complex.value());
     if (planar.result) {
         outcome.mesh = std::move(planar.result->mesh);
         outcome.curvedBoundary = std::move(planar.result->boundary);
-        outcome.mesh->unit = model.unit;
         outcome.curvedBoundary->unit = model.unit;
     }
     return outcome;
 }
 
+MeshOutcome meshByDimension(const BrepModel& model, const MeshOptions& options,
+                            std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
+                            RunContext& context)
+{
+    if (const Result<void> sound = checkFloatingPointEnvironment(); !sound) return refuse(sound.error());
+    if (const Result<void> possible = validate(options); !possible) return refuse(possible.error());
+    if (options.dimension == 3) return meshSolids(model, options, std::move(fromFiles), context);
+    if (isPlane(model, options))
+        return meshPlaneFaces(model, options, std::move(fromFiles), boundaryOrder, context);
+    return meshFaces(model, options, std::move(fromFiles), context);
+}
+
 }  // namespace
 
 MeshOutcome meshModel(const BrepModel& model, const MeshOptions& options,
-                      std::shared_ptr<const SizingField> background, int boundaryOrder, RunContext& context)
+                      std::shared_ptr<const SizingField> fromFiles, int boundaryOrder, RunContext& context)
 {
-    const Result<void> possible = validate(options);
-    if (!possible) return refuse(options, possible.error());
-    if (options.dimension == 3) {
-        return refuse(options, {ErrorCode::InvalidArgument,
-                                "solids are not yet meshed",
-                                "model",
-                                {},
-                                "mesh plane faces with --dimension 2"});
-    }
-    MeshOutcome outcome = meshPlaneFaces(model, options, std::move(background), boundaryOrder, context);
-    outcome.report.unit = model.unit;
-    outcome.report.warnings.insert(outcome.report.warnings.begin(), model.notes.begin(), model.notes.end());
+    MeshOutcome outcome = meshByDimension(model, options, std::move(fromFiles), boundaryOrder, context);
+    MeshReport& report = outcome.report;
+    report.options = options;
+    report.versions = {{"mesher", MESHER_VERSION}};
+    report.unit = model.unit;
+    report.warnings.insert(report.warnings.begin(), model.notes.begin(), model.notes.end());
+    if (outcome.mesh) outcome.mesh->unit = model.unit;
     return outcome;
 }
 

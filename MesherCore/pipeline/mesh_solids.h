@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/run_context.h"
+#include "brep/brep_model.h"
+#include "pipeline/mesh_options.h"
+#include "pipeline/mesh_outcome.h"
+#include "sizing/sizing_field.h"
+
+#include <memory>
+
+namespace mesher {
+
+/// Meshes the solids of a model: samples its curves and faces, builds the constrained Delaunay tetrahedralization, refines it,
+/// classifies and reports. A face between two solids is meshed once.
+/// Guarantees   a failure names its entity
+/// Refuses      a model without solids, shells that are open or overlap, and what solidSizes refuses; elements of second order,
+///              which are not there yet
+/// Terminates   the limits on elements and time of the options hold for the run as a whole
+[[nodiscard]] MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
+                                     std::shared_ptr<const SizingField> fromFiles, RunContext& context);
+
+/// Meshes all faces of a model as surfaces in space.
+[[nodiscard]] MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,
+                                    std::shared_ptr<const SizingField> fromFiles, RunContext& context);
+
+}  // namespace mesher
