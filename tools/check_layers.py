@@ -17,6 +17,7 @@ from pathlib import Path
 # Headers from outside the project, by folder of MesherCore; elsewhere the standard library only.
 FOREIGN_HEADERS = {
     "base": re.compile(r"sys/mman\.h"),
+    "surface_sampling": re.compile(r"oneapi/tbb/.+\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
     "brep/occt": re.compile(r".+\.hxx"),
     "cli": re.compile(r"boost/program_options\.hpp|unistd\.h"),
