@@ -135,6 +135,7 @@ void FaceMesh::writeTriangle(TriangleId t, const std::array<VertexId, 3>& v, con
     ++record.generation;
     record.isAlive = true;
     record.isLeft = false;
+    record.isForced = false;
     for (unsigned i = 0; i < 3; ++i) {
         const FaceVertex& corner = vertices_[v[i]];
         const Vec2 a = uv[nextCorner(i)], b = uv[previousCorner(i)];

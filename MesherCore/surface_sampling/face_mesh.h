@@ -46,7 +46,8 @@ struct FaceTriangle
     std::array<Vec2, 3> uv;  ///< in one image of the face; meaningless in the singular direction of a pole
     std::uint16_t generation = 0;
     bool isAlive = true;
-    bool isLeft = false;  ///< refinement has given it up in this shape
+    bool isLeft = false;    ///< refinement has given it up in this shape
+    bool isForced = false;  ///< is to be split, whatever its shape
 
     [[nodiscard]] unsigned cornerOf(VertexId vertex) const
     {

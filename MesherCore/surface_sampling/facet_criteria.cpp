@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
+/// What is forced comes before all that has grown by itself.
+constexpr double kForced = 1e6;
+
 double squaredRatioOf(double minAngle)
 {
     if (!(minAngle > 0.0)) return std::numeric_limits<double>::infinity();
@@ -57,7 +60,7 @@ FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
     const FaceVertex& b = mesh.vertex(record.v[1]);
     const FaceVertex& c = mesh.vertex(record.v[2]);
     const FacetShape shape = FacetShape::of(a.position, b.position, c.position);
-    double excess = 0.0;  // squared
+    double excess = record.isForced ? kForced : 0.0;  // squared
     const double doubled[3] = {b.size + c.size, c.size + a.size, a.size + b.size};
     for (unsigned i = 0; i < 3; ++i) {
         excess = std::max(excess, 4.0 * shape.squaredSide[i] / (doubled[i] * doubled[i]));

@@ -66,7 +66,8 @@ bool FacetSplitter::encroaches(const Vec3& point, const Vec3& a, const Vec3& b) 
 std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
 {
     const FaceTriangle& record = mesh_.triangle(t);
-    const Vec3 &a = mesh_.position(record.v[0]), &b = mesh_.position(record.v[1]), &c = mesh_.position(record.v[2]);
+    const Vec3 &a = mesh_.position(record.v[0]), &b = mesh_.position(record.v[1]),
+               &c = mesh_.position(record.v[2]);
     const FacetShape shape = FacetShape::of(a, b, c);
     const std::optional<Vec3> centre = approximateCircumcenter(a, b, c);
     if (!centre || !std::isfinite(shape.squaredRadius)) return {};
@@ -74,8 +75,11 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
     const Vec3 normal = cross(b - a, c - a);
     const Vec3 unit = (1.0 / length(normal)) * normal;
     const Vec2 seed = circumcentreParameters(record, shape);
-    const auto looksAway = [&](const SurfaceFacts& facts) { return dot(facts.normal, unit) < kLeastAgreement; };
-    if (const auto found = geometry_.ballCentre(*centre, unit, radius, seed); found && !looksAway(found->facts)) {
+    const auto looksAway = [&](const SurfaceFacts& facts) {
+        return dot(facts.normal, unit) < kLeastAgreement;
+    };
+    if (const auto found = geometry_.ballCentre(*centre, unit, radius, seed);
+        found && !looksAway(found->facts)) {
         return found->facts;
     }
     ++counts_.projectedCentres;
@@ -133,7 +137,8 @@ FacetSplitStatus FacetSplitter::judgeStar()
     const Vec3& point = star_.vertex().position;
     for (const StarSide& side : star_.sides()) {
         if (!side.segment.isValid()) continue;
-        if (encroaches(point, mesh_.position(side.a), mesh_.position(side.b))) encroached_.push_back(side.segment);
+        if (encroaches(point, mesh_.position(side.a), mesh_.position(side.b)))
+            encroached_.push_back(side.segment);
     }
     if (!encroached_.empty()) return FacetSplitStatus::Encroaches;
     return star_.squaredSpokeLength() < options_.floor * options_.floor ? FacetSplitStatus::TooSmall

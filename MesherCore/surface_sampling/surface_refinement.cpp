@@ -80,6 +80,13 @@ void FaceRefiner::queueAll()
     }
 }
 
+void FaceRefiner::force(TriangleId t)
+{
+    mesh_.triangle(t).isForced = true;
+    mesh_.triangle(t).isLeft = false;
+    queueTriangle(t);
+}
+
 bool FaceRefiner::propose(SegmentId segment)
 {
     if (!boundary_.maySplit(segment)) return false;
@@ -99,7 +106,8 @@ void FaceRefiner::proposeIfEncroached(EdgeLink side)
     const SegmentId segment = mesh_.segment(side);
     if (!segment.isValid()) return;
     const VertexId apex = mesh_.apex(side);
-    if (splitter_.encroaches(mesh_.position(apex), mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)))) {
+    if (splitter_.encroaches(mesh_.position(apex), mesh_.position(mesh_.from(side)),
+                             mesh_.position(mesh_.to(side)))) {
         propose(segment);
     }
 }
@@ -192,9 +200,9 @@ bool FaceRefiner::isAtSmallAngle(TriangleId t) const
     const FaceTriangle& record = mesh_.triangle(t);
     const FacetShape shape =
         FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
-    const NodeId a = mesh_.vertex(record.v[nextCorner(shape.shortest)]).node;
-    const NodeId b = mesh_.vertex(record.v[previousCorner(shape.shortest)]).node;
-    return a.isValid() && b.isValid() && boundary_.spansSmallAngle(a, b);
+    const FaceVertex& first = mesh_.vertex(record.v[nextCorner(shape.shortest)]);
+    const FaceVertex& last = mesh_.vertex(record.v[previousCorner(shape.shortest)]);
+    return !first.isFree && !last.isFree && boundary_.spansSmallAngle(first.node, last.node);
 }
 
 // ---- segments --------------------------------------------------------------------------------------------------------
@@ -223,13 +231,8 @@ bool FaceRefiner::removeApex(EdgeLink side)
     return true;
 }
 
-void FaceRefiner::insertOnSegment(const SegmentVertex& split)
+void FaceRefiner::evaluateOnSide(EdgeLink side, const SegmentVertex& split, StarExtent extent)
 {
-    EdgeLink side = sideOf(split);
-    while (side.isValid() && removeApex(side)) side = sideOf(split);
-    while (side.isValid() && mesh_.across(side).isValid() && removeApex(mesh_.across(side)))
-        side = sideOf(split);
-    if (!side.isValid()) return;
     const FaceTriangle& record = mesh_.triangle(side.triangle());
     const VertexId from = mesh_.from(side), to = mesh_.to(side);
     const double before = length(split.position - mesh_.position(from));
@@ -245,15 +248,31 @@ void FaceRefiner::insertOnSegment(const SegmentVertex& split)
     const std::array<SegmentId, 2> halves =
         isAlong ? split.halves : std::array<SegmentId, 2>{split.halves[1], split.halves[0]};
     FaceStar& star = splitter_.star();
-    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Delaunay, halves);
-    if (star.isFolded()) {
-        ++counts_.forcedStars;
-        star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves);
-    }
-    const VertexId v = star.commit();
+    star.evaluateOnSide(side, vertex, facts.parameters, extent, halves);
+    if (extent == StarExtent::Least || !star.isFolded()) return;
+    ++counts_.forcedStars;
+    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves);
+}
+
+bool FaceRefiner::evaluateOnSegment(const SegmentVertex& split, StarExtent extent)
+{
+    const EdgeLink side = sideOf(split);
+    if (side.isValid()) evaluateOnSide(side, split, extent);
+    return side.isValid();
+}
+
+void FaceRefiner::insertOnSegment(const SegmentVertex& split)
+{
+    EdgeLink side = sideOf(split);
+    while (side.isValid() && removeApex(side)) side = sideOf(split);
+    while (side.isValid() && mesh_.across(side).isValid() && removeApex(mesh_.across(side)))
+        side = sideOf(split);
+    if (!side.isValid()) return;
+    evaluateOnSide(side, split, StarExtent::Delaunay);
+    const VertexId v = splitter_.star().commit();
     vertexOf_.insert(split.node, v);
     ++counts_.boundaryInsertions;
-    queueMade(star.made());
+    queueMade(splitter_.star().made());
     proposeAround(v);
 }
 

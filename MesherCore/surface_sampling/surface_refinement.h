@@ -82,14 +82,21 @@ public:
     /// Ascending, each once.
     [[nodiscard]] std::vector<SegmentId> takeProposals();
     void insertOnSegment(const SegmentVertex& split);
+    /// The star that such a vertex would have, in splitter().star(); free vertices stay. False if the face has no such side.
+    [[nodiscard]] bool evaluateOnSegment(const SegmentVertex& split, StarExtent extent);
+    /// Has a facet split when refinement goes on, whatever its shape.
+    void force(TriangleId t);
     /// To be called when facets that were given up may have become possible.
     void queueAll();
 
     [[nodiscard]] FaceRefinementCounts counts() const;
     [[nodiscard]] FacetSplitter& splitter() { return splitter_; }
     [[nodiscard]] FaceMesh& mesh() { return mesh_; }
+    /// Vertices that no other face knows.
+    [[nodiscard]] std::size_t freeVertexCount() const { return mesh_.vertexCount() - vertexOf_.size(); }
     /// The vertex of a node of the model's mesh.
     [[nodiscard]] VertexId vertexOf(NodeId node) const;
+    void setVertexOf(NodeId node, VertexId v) { vertexOf_.insert(node, v); }
 
 private:
     struct Waiting
@@ -107,6 +114,7 @@ private:
     void proposeIfEncroached(EdgeLink side);
     [[nodiscard]] EdgeLink sideOf(const SegmentVertex& split) const;
     bool removeApex(EdgeLink side);
+    void evaluateOnSide(EdgeLink side, const SegmentVertex& split, StarExtent extent);
 
     FaceMesh& mesh_;
     const FaceGeometry& geometry_;

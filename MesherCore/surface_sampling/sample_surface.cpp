@@ -1,0 +1,99 @@
+#include "surface_sampling/sample_surface.h"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace mesher {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Error outOfRange(const std::string& what, const std::string& range)
+{
+    return {ErrorCode::InvalidArgument, what + " is out of range", "", {}, "choose a value in " + range};
+}
+
+std::optional<Error> refuseOptions(const SurfaceSamplingOptions& options)
+{
+    const FacetCriteriaOptions& facets = options.facets;
+    if (!(facets.minAngle >= 0.0 && facets.minAngle <= 34.0))
+        return outOfRange("the smallest angle", "[0, 34] degrees");
+    if (!(facets.maxSize > 0.0)) return outOfRange("the largest size", "(0, infinity]");
+    for (const double value :
+         {facets.elementsPerTurn, facets.rho, facets.maxSag, facets.leastCurvatureSize}) {
+        if (!(value >= 0.0) || !std::isfinite(value))
+            return outOfRange("a wish for curved faces", "[0, infinity)");
+    }
+    if (!(facets.maxNormalDeviation > 0.0 && facets.maxNormalDeviation <= 90.0)) {
+        return outOfRange("the largest deviation of normals", "(0, 90] degrees");
+    }
+    if (!(options.encroachmentAngle >= 90.0 && options.encroachmentAngle <= 150.0)) {
+        return outOfRange("the angle of encroachment", "[90, 150] degrees");
+    }
+    return {};
+}
+
+/// Curvature asks for nothing smaller than this share of the model.
+constexpr double kLeastCurvatureShare = 1e-4;
+
+FaceRefinementOptions refinementOptions(const BrepModel& model, const SurfaceSamplingOptions& options)
+{
+    FaceRefinementOptions result{options.facets, {0.0, options.encroachmentAngle}};
+    const double least = kLeastCurvatureShare * length(model.box.extent());
+    result.criteria.leastCurvatureSize = std::max(options.facets.leastCurvatureSize, least);
+    return result;
+}
+
+std::size_t aliveFacets(const SurfaceMesh& mesh)
+{
+    std::size_t count = 0;
+    for (const SurfaceFacet& facet : mesh.facets) count += facet.isAlive() ? 1 : 0;
+    return count;
+}
+
+}  // namespace
+
+Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplingOptions& options,
+                                    RunContext& context)
+{
+    if (std::optional<Error> error = refuseOptions(options)) return *error;
+    SurfaceSample sample;
+    SurfaceSamplingCounts& counts = sample.counts;
+
+    Clock::time_point start = Clock::now();
+    IdVector<NodeId, MeshNode> nodes;
+    Result<CurveChains> chains = sampleCurveChains(model, options.curves, nodes);
+    if (!chains) return chains.error();
+    counts.curveNodes = nodes.size();
+    sample.seconds.curves = secondsSince(start);
+
+    start = Clock::now();
+    const InitialSurfaceMesh initial = initialSurfaceMesh(model, *chains, nodes, options.initial);
+    counts.initialVertices = nodes.size();
+    for (const InitialFaceMesh& face : initial.faces) counts.initialFacets += face.facets.size();
+    sample.seconds.initial = secondsSince(start);
+
+    start = Clock::now();
+    auto faces = std::make_unique<SampledFaces>(model, std::move(*chains), std::move(nodes), initial,
+                                                refinementOptions(model, options));
+    counts.rounds = faces->refine(options.limits, options.maxRounds, context);
+    counts.refinement = faces->counts();
+    counts.segments = faces->chains().aliveCount();
+    counts.unprotectedAngles = faces->chains().unprotectedCount();
+    sample.failures = faces->failures();
+    sample.surface = std::make_unique<SampledSurface>(std::move(faces));
+    counts.vertices = sample.surface->mesh().nodes.size();
+    counts.facets = aliveFacets(sample.surface->mesh());
+    sample.stopReason = counts.rounds.stopReason;
+    sample.seconds.refinement = secondsSince(start);
+    return sample;
+}
+
+}  // namespace mesher

@@ -1,0 +1,221 @@
+#include "surface_sampling/sampled_faces.h"
+
+#include "surface_sampling/parallel_faces.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace mesher {
+
+bool SampledFaces::Boundary::maySplit(SegmentId segment) const
+{
+    return segment.value >= faces_.isRefused_.size() || faces_.isRefused_[segment] == 0;
+}
+
+bool SampledFaces::Boundary::spansSmallAngle(NodeId a, NodeId b) const
+{
+    return faces_.chains_.spansSmallAngle(a, b);
+}
+
+SampledFaces::SampledFaces(const BrepModel& model, CurveChains chains, IdVector<NodeId, MeshNode> nodes,
+                           const InitialSurfaceMesh& initial, const FaceRefinementOptions& options)
+    : model_(model), chains_(std::move(chains)), boundary_(*this)
+{
+    findFacesOfEdges();
+    failures_ = initial.failures;
+    faces_ = decltype(faces_)();
+    for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
+        faces_.push_back(nullptr);
+        makeFace(BrepFaceId(f), initial.faces[BrepFaceId(f)], nodes, options);
+    }
+    std::sort(failures_.begin(), failures_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const MeshNode& node : nodes) {
+        if (node.entity.dimension < 2) nodes_.push_back(node);
+    }
+}
+
+void SampledFaces::findFacesOfEdges()
+{
+    facesOf_.resize(model_.edges.size());
+    for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
+        const BrepFace& face = model_.faces[BrepFaceId(f)];
+        const auto add = [&](BrepEdgeId edge) {
+            auto& faces = facesOf_[edge];
+            if (faces.empty() || faces.back() != BrepFaceId(f)) faces.push_back(BrepFaceId(f));
+        };
+        for (const BrepLoop& loop : face.loops) {
+            for (const BrepCoedge& coedge : loop.coedges) add(coedge.edge);
+        }
+        for (const BrepEdgeId edge : face.embeddedEdges) add(edge);
+    }
+}
+
+SegmentsByEnds SampledFaces::segmentsOf(BrepFaceId f) const
+{
+    SegmentsByEnds segments;
+    const auto add = [&](BrepEdgeId edge) {
+        for (const SegmentId s : chains_.chainOf(edge)) {
+            const auto& ends = chains_.segments()[s].node;
+            segments.insert(std::minmax(ends[0], ends[1]), s);
+        }
+    };
+    for (const BrepLoop& loop : model_.faces[f].loops) {
+        for (const BrepCoedge& coedge : loop.coedges) add(coedge.edge);
+    }
+    for (const BrepEdgeId edge : model_.faces[f].embeddedEdges) add(edge);
+    return segments;
+}
+
+void SampledFaces::makeFace(BrepFaceId f, const InitialFaceMesh& initial,
+                            const IdVector<NodeId, MeshNode>& nodes, const FaceRefinementOptions& options)
+{
+    if (initial.facets.empty()) return;
+    const BrepFace& face = model_.faces[f];
+    Result<FaceMesh> mesh = FaceMesh::make(f, FaceGeometry(face), initial.facets, nodes, segmentsOf(f));
+    if (!mesh) {
+        failures_.emplace_back(f, mesh.error());
+        return;
+    }
+    FaceRefinementOptions ownOptions = options;
+    ownOptions.splits.floor = std::max(options.splits.floor, 10.0 * face.tolerance);
+    faces_[f] = std::make_unique<SampledFace>(face, std::move(*mesh), boundary_, ownOptions);
+}
+
+std::vector<SampledFace*> SampledFaces::activeFaces() const
+{
+    std::vector<SampledFace*> active;
+    for (const auto& face : faces_) {
+        if (face && face->isActive) active.push_back(face.get());
+    }
+    return active;
+}
+
+std::size_t SampledFaces::vertexCount() const
+{
+    std::size_t count = nodes_.size();
+    for (const auto& face : faces_) {
+        if (face) count += face->refiner.freeVertexCount();
+    }
+    return count;
+}
+
+FaceRefinementCounts SampledFaces::counts() const
+{
+    FaceRefinementCounts counts;
+    for (const auto& face : faces_) {
+        if (face) counts += face->refiner.counts();
+    }
+    return counts;
+}
+
+void SampledFaces::force(BrepFaceId face, TriangleId facet)
+{
+    faces_[face]->refiner.force(facet);
+    faces_[face]->isActive = true;
+}
+
+std::vector<SegmentId> SampledFaces::takeProposals()
+{
+    std::vector<SegmentId> all;
+    for (const auto& face : faces_) {
+        if (!face) continue;
+        const std::vector<SegmentId> proposals = face->refiner.takeProposals();
+        // What waits for a segment is looked at again, whatever becomes of that.
+        face->isActive = !proposals.empty();
+        all.insert(all.end(), proposals.begin(), proposals.end());
+    }
+    const auto& segments = chains_.segments();
+    // A face may propose a segment while it follows a split, that comes to its turn in the same round.
+    std::erase_if(all, [&](SegmentId s) { return !chains_.isAlive(s); });
+    std::sort(all.begin(), all.end(), [&](SegmentId a, SegmentId b) {
+        return std::tuple(segments[a].edge, segments[a].parameter[0], a) <
+               std::tuple(segments[b].edge, segments[b].parameter[0], b);
+    });
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+void SampledFaces::split(std::vector<SegmentId> segments, SamplingRounds& result, unsigned threads)
+{
+    IdVector<BrepFaceId, std::vector<SegmentVertex>> work(model_.faces.size());
+    for (const SegmentId s : segments) {
+        const SurfaceSegment whole = chains_.segments()[s];
+        const std::optional<SegmentSplit> made = chains_.split(s, nodes_);
+        isRefused_.resize(chains_.segments().size());
+        if (!made) {
+            isRefused_[s] = 1;
+            ++result.refusedSplits;
+            continue;
+        }
+        ++result.segmentSplits;
+        const SegmentVertex vertex{s, whole.node, made->node, nodes_[made->node].position, made->halves};
+        for (const BrepFaceId f : facesOf_[whole.edge]) work[f].push_back(vertex);
+    }
+    std::vector<BrepFaceId> faces;
+    for (std::uint32_t f = 0; f < work.size(); ++f) {
+        if (!work[BrepFaceId(f)].empty() && faces_[BrepFaceId(f)]) faces.push_back(BrepFaceId(f));
+    }
+    forEachInParallel(faces.size(), threads, [&](std::size_t i) {
+        SampledFace& face = *faces_[faces[i]];
+        for (const SegmentVertex& vertex : work[faces[i]]) face.refiner.insertOnSegment(vertex);
+        face.isActive = true;
+    });
+}
+
+void SampledFaces::prepareFaces(SamplingRounds& result, RunContext& context)
+{
+    if (isPrepared_) return;
+    isPrepared_ = true;
+    const std::vector<SampledFace*> faces = activeFaces();
+    std::vector<std::size_t> flips(faces.size());
+    forEachInParallel(faces.size(), context.threads(), [&](std::size_t i) {
+        // Flips of folded facets could go round; this is far more than a sound mesh needs.
+        Budget budget({.maxOperations = 1000 + 100 * faces[i]->mesh.triangleCount(), .maxTime = {}}, context);
+        flips[i] = makeSurfaceDelaunay(faces[i]->mesh, faces[i]->geometry, budget).flips;
+        faces[i]->refiner.queueAll();
+        faces[i]->refiner.proposeSegments();
+    });
+    for (const std::size_t count : flips) result.flips += count;
+}
+
+SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, RunContext& context)
+{
+    SamplingRounds result;
+    prepareFaces(result, context);
+    // Edges first: inside, facets are then judged beside edges that stay.
+    std::vector<SegmentId> proposals = takeProposals();
+    while (!proposals.empty() && result.rounds < maxRounds && !context.isCancelled()) {
+        ++result.rounds;
+        split(std::move(proposals), result, context.threads());
+        proposals = takeProposals();
+    }
+    for (const auto& face : faces_) {
+        if (face) face->isActive = true;
+    }
+    while (true) {
+        const std::vector<SampledFace*> active = activeFaces();
+        forEachInParallel(active.size(), context.threads(), [&](std::size_t i) {
+            Budget budget(limits, context);
+            active[i]->stopReason = active[i]->refiner.refine(budget);
+        });
+        for (const SampledFace* face : active) {
+            if (face->stopReason != StopReason::Done) result.stopReason = face->stopReason;
+        }
+        if (vertexCount() >= limits.maxVertices) result.stopReason = StopReason::VertexLimit;
+        proposals = takeProposals();
+        if (result.stopReason != StopReason::Done || proposals.empty()) break;
+        if (result.rounds++ >= maxRounds) {
+            result.stopReason = StopReason::OperationLimit;
+            break;
+        }
+        if (!context.reportProgress("surfaces", 1.0 - 1.0 / (1.0 + result.rounds))) {
+            result.stopReason = StopReason::Cancelled;
+            break;
+        }
+        split(std::move(proposals), result, context.threads());
+    }
+    return result;
+}
+
+}  // namespace mesher

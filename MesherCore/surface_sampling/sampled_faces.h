@@ -1,0 +1,113 @@
+#pragma once
+
+#include "base/budget.h"
+#include "base/error.h"
+#include "base/id_vector.h"
+#include "base/run_context.h"
+#include "base/stop_reason.h"
+#include "brep/brep_model.h"
+#include "surface_sampling/curve_chains.h"
+#include "surface_sampling/face_flips.h"
+#include "surface_sampling/initial_face_mesh.h"
+#include "surface_sampling/surface_refinement.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace mesher {
+
+/// What a face is asked, its mesh and the refinement of that; each face has its own, so that faces can be refined at once.
+class SampledFace
+{
+public:
+    SampledFace(const BrepFace& face, FaceMesh faceMesh, const FaceBoundary& boundary,
+                const FaceRefinementOptions& options)
+        : geometry(face), mesh(std::move(faceMesh)), refiner(mesh, geometry, boundary, options)
+    {
+    }
+    SampledFace(const SampledFace&) = delete;
+    SampledFace& operator=(const SampledFace&) = delete;
+
+    FaceGeometry geometry;
+    FaceMesh mesh;
+    FaceRefiner refiner;
+    StopReason stopReason = StopReason::Done;
+    bool isActive = true;  ///< something has changed since it was refined, or its proposals were answered
+};
+
+struct SamplingRounds
+{
+    int rounds = 0;
+    std::size_t segmentSplits = 0;
+    std::size_t refusedSplits = 0;  ///< segments as short as they may be
+    std::size_t flips = 0;          ///< that made the first meshes Delaunay
+    StopReason stopReason = StopReason::Done;
+};
+
+/// The chains of a model and the meshes of all of its faces, refined in rounds: faces go by themselves as far as they can
+/// without the segments they propose to split; the splits of all faces are made in the order of edge and parameter, and
+/// followed by all faces beside them.
+/// Guarantees   the result does not depend on the number of threads; the meshes of faces match along the segments
+/// Reference    thesis §3.3.2, where the faces are sampled one after the other
+class SampledFaces
+{
+public:
+    /// Takes over chains and nodes; the model must outlive it. Nodes inside of faces become the faces' own.
+    SampledFaces(const BrepModel& model, CurveChains chains, IdVector<NodeId, MeshNode> nodes,
+                 const InitialSurfaceMesh& initial, const FaceRefinementOptions& options);
+
+    /// Refines all faces. Terminates by the limits, which hold for the whole model, and by `maxRounds`.
+    SamplingRounds refine(const BudgetLimits& limits, int maxRounds, RunContext& context);
+    /// Has a facet split in the next refinement, whatever its shape.
+    void force(BrepFaceId face, TriangleId facet);
+
+    [[nodiscard]] const BrepModel& model() const { return model_; }
+    [[nodiscard]] const CurveChains& chains() const { return chains_; }
+    [[nodiscard]] CurveChains& chains() { return chains_; }
+    /// Of the model's vertices and edges.
+    [[nodiscard]] const IdVector<NodeId, MeshNode>& nodes() const { return nodes_; }
+    /// Null for a face that failed.
+    [[nodiscard]] SampledFace* face(BrepFaceId f) const { return faces_[f].get(); }
+    /// The faces beside an edge, each once, ascending.
+    [[nodiscard]] const std::vector<BrepFaceId>& facesOf(BrepEdgeId edge) const { return facesOf_[edge]; }
+    [[nodiscard]] const std::vector<std::pair<BrepFaceId, Error>>& failures() const { return failures_; }
+    [[nodiscard]] std::size_t vertexCount() const;
+    [[nodiscard]] FaceRefinementCounts counts() const;
+
+private:
+    class Boundary final : public FaceBoundary
+    {
+    public:
+        explicit Boundary(const SampledFaces& faces) : faces_(faces) {}
+        [[nodiscard]] bool maySplit(SegmentId segment) const override;
+        [[nodiscard]] bool spansSmallAngle(NodeId a, NodeId b) const override;
+
+    private:
+        const SampledFaces& faces_;
+    };
+
+    void findFacesOfEdges();
+    [[nodiscard]] SegmentsByEnds segmentsOf(BrepFaceId f) const;
+    void makeFace(BrepFaceId f, const InitialFaceMesh& initial, const IdVector<NodeId, MeshNode>& nodes,
+                  const FaceRefinementOptions& options);
+    void prepareFaces(SamplingRounds& result, RunContext& context);
+    [[nodiscard]] std::vector<SegmentId> takeProposals();
+    void split(std::vector<SegmentId> segments, SamplingRounds& result, unsigned threads);
+    [[nodiscard]] std::vector<SampledFace*> activeFaces() const;
+
+    const BrepModel& model_;
+    CurveChains chains_;
+    IdVector<NodeId, MeshNode> nodes_;
+    Boundary boundary_;
+    IdVector<SegmentId, std::uint8_t> isRefused_;
+    IdVector<BrepEdgeId, std::vector<BrepFaceId>> facesOf_;
+    IdVector<BrepFaceId, std::unique_ptr<SampledFace>> faces_;
+    std::vector<std::pair<BrepFaceId, Error>> failures_;
+    bool isPrepared_ = false;
+};
+
+}  // namespace mesher

@@ -1,0 +1,224 @@
+#include "surface_sampling/sampled_surface.h"
+
+#include "base/assert.h"
+#include "surface_sampling/face_replacement.h"
+
+#include <cmath>
+#include <utility>
+
+namespace mesher {
+namespace {
+
+StarExtent starExtentOf(SurfaceSplitExtent extent)
+{
+    return extent == SurfaceSplitExtent::Least ? StarExtent::Least : StarExtent::Delaunay;
+}
+
+double intoPeriod(double value, double start, double period)
+{
+    return period > 0.0 ? value - period * std::floor((value - start) / period) : value;
+}
+
+void reset(SurfaceSplit& split)
+{
+    split.status = SurfaceSplitStatus::NotFound;
+    split.node = {};
+    split.segment = {};
+    split.halves = {};
+    split.removed.clear();
+    split.added.clear();
+}
+
+}  // namespace
+
+SampledSurface::SampledSurface(std::unique_ptr<SampledFaces> faces) : faces_(std::move(faces)) { assemble(); }
+
+// ---- one mesh of all faces -------------------------------------------------------------------------------------------
+
+void SampledSurface::assemble()
+{
+    mesh_.nodes = faces_->nodes();
+    mesh_.segments = faces_->chains().segments();
+    mesh_.facets.clear();
+    triangleOf_.clear();
+    const std::size_t count = faces_->model().faces.size();
+    facetOf_ = IdVector<BrepFaceId, std::vector<FacetId>>(count);
+    for (std::uint32_t f = 0; f < count; ++f) {
+        if (faces_->face(BrepFaceId(f)) == nullptr) continue;
+        numberNodes(BrepFaceId(f));
+        numberFacets(BrepFaceId(f));
+    }
+}
+
+Vec2 SampledSurface::insideBounds(BrepFaceId f, Vec2 uv) const
+{
+    const BrepFace& face = faces_->model().faces[f];
+    const Vec2 periods = faces_->face(f)->geometry.periods();
+    return {intoPeriod(uv.x, face.boundsU.first, periods.x), intoPeriod(uv.y, face.boundsV.first, periods.y)};
+}
+
+void SampledSurface::numberNodes(BrepFaceId f)
+{
+    FaceMesh& mesh = faces_->face(f)->mesh;
+    for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {
+        FaceVertex& vertex = mesh.vertex(VertexId(i));
+        if (!vertex.isAlive || !vertex.isFree) continue;
+        const FaceTriangle& record = mesh.triangle(vertex.triangle);
+        const Vec2 uv = insideBounds(f, record.uv[record.cornerOf(VertexId(i))]);
+        vertex.node = mesh_.nodes.push_back({vertex.position, {2, f.value}, uv});
+    }
+}
+
+void SampledSurface::numberFacets(BrepFaceId f)
+{
+    const FaceMesh& mesh = faces_->face(f)->mesh;
+    facetOf_[f].assign(mesh.triangleSlots(), FacetId());
+    for (std::uint32_t i = 0; i < mesh.triangleSlots(); ++i) {
+        const FaceTriangle& record = mesh.triangle(TriangleId(i));
+        if (!record.isAlive) continue;
+        SurfaceFacet facet{{}, f, record.uv};
+        for (std::size_t k = 0; k < 3; ++k) facet.node[k] = mesh.vertex(record.v[k]).node;
+        facetOf_[f][i] = mesh_.facets.push_back(facet);
+        triangleOf_.push_back(TriangleId(i));
+    }
+}
+
+// ---- splits ----------------------------------------------------------------------------------------------------------
+
+void SampledSurface::appendStar(BrepFaceId f, const FaceStar& star, SurfaceSplit& split) const
+{
+    const FaceMesh& mesh = faces_->face(f)->mesh;
+    for (const TriangleId t : star.cavity()) split.removed.push_back(facetOf_[f][t.value]);
+    for (const StarSide& side : star.sides()) {
+        split.added.push_back({{NodeId(), mesh.vertex(side.a).node, mesh.vertex(side.b).node},
+                               f,
+                               {star.parameters(), side.uvA, side.uvB}});
+    }
+}
+
+void SampledSurface::evaluateSegment(SegmentId segment, SurfaceSplitExtent extent, SurfaceSplit& split)
+{
+    reset(split);
+    split.segment = segment;
+    const CurveChains& chains = faces_->chains();
+    const std::optional<SegmentPlace> place = chains.splitPlace(segment);
+    if (!place) {
+        split.status = SurfaceSplitStatus::TooSmall;
+        return;
+    }
+    const SurfaceSegment& whole = chains.segments()[segment];
+    split.status = SurfaceSplitStatus::Ready;
+    split.node = {place->position, {1, whole.edge.value}, {place->parameter, 0.0}};
+    split.halves[0] = {{whole.node[0], NodeId()}, whole.edge, {whole.parameter[0], place->parameter}};
+    split.halves[1] = {{NodeId(), whole.node[1]}, whole.edge, {place->parameter, whole.parameter[1]}};
+    const SegmentVertex vertex{segment, whole.node, NodeId(), place->position, {}};
+    for (const BrepFaceId f : faces_->facesOf(whole.edge)) {
+        SampledFace* face = faces_->face(f);
+        if (face == nullptr || !face->refiner.evaluateOnSegment(vertex, starExtentOf(extent))) continue;
+        appendStar(f, face->refiner.splitter().star(), split);
+    }
+}
+
+void SampledSurface::evaluateFacet(FacetId facet, SurfaceSplitExtent extent, SurfaceSplit& split)
+{
+    reset(split);
+    const BrepFaceId f = mesh_.facets[facet].face;
+    FacetSplitter& splitter = faces_->face(f)->refiner.splitter();
+    switch (splitter.evaluate(triangleOf_[facet], starExtentOf(extent))) {
+        case FacetSplitStatus::NotFound: return;
+        case FacetSplitStatus::TooSmall: split.status = SurfaceSplitStatus::TooSmall; return;
+        case FacetSplitStatus::Encroaches:
+            split.status = SurfaceSplitStatus::Encroaches;
+            split.segment = splitter.encroached().front();
+            return;
+        case FacetSplitStatus::Ready: break;
+    }
+    const FaceStar& star = splitter.star();
+    split.status = SurfaceSplitStatus::Ready;
+    split.node = {star.vertex().position, {2, f.value}, insideBounds(f, star.parameters())};
+    appendStar(f, star, split);
+}
+
+void SampledSurface::commitFace(BrepFaceId f, const SurfaceSplit& split, SurfaceSplitResult& result)
+{
+    SampledFace& face = *faces_->face(f);
+    FaceMesh& mesh = face.mesh;
+    std::vector<TriangleId> removed, made;
+    std::vector<std::pair<NodeId, VertexId>> corners;
+    for (const FacetId facet : split.removed) {
+        if (mesh_.facets[facet].face != f) continue;
+        removed.push_back(triangleOf_[facet]);
+        for (const VertexId v : mesh.triangle(triangleOf_[facet]).v)
+            corners.emplace_back(mesh.vertex(v).node, v);
+    }
+    if (removed.empty()) return;
+    const auto vertexOf = [&](NodeId node) {
+        for (const auto& [known, v] : corners) {
+            if (known == node) return v;
+        }
+        return VertexId();
+    };
+    std::vector<FacetCorners> added;
+    VertexId centre;
+    for (const SurfaceFacet& facet : split.added) {
+        if (facet.face != f) continue;
+        if (!centre.isValid()) {
+            SurfaceFacts facts = face.geometry.at(facet.parameters[0]);
+            FaceVertex vertex = face.refiner.splitter().vertexAt(facts);
+            vertex.position = split.node.position;
+            vertex.node = result.node;
+            vertex.isFree = split.node.entity.dimension == 2;
+            centre = mesh.addVertex(vertex);
+            if (!vertex.isFree) face.refiner.setVertexOf(result.node, centre);
+        }
+        added.push_back({{centre, vertexOf(facet.node[1]), vertexOf(facet.node[2])}, facet.parameters});
+    }
+    std::vector<NewSegmentSide> sides;
+    if (split.segment.isValid()) {
+        sides.push_back({vertexOf(split.halves[0].node[0]), centre, result.halves[0]});
+        sides.push_back({centre, vertexOf(split.halves[1].node[1]), result.halves[1]});
+    }
+    replaceTriangles(mesh, removed, added, sides, made);
+    facetOf_[f].resize(mesh.triangleSlots());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < split.added.size(); ++i) {
+        if (split.added[i].face == f) {
+            facetOf_[f][made[next].value] = result.added[i];
+            triangleOf_[result.added[i]] = made[next++];
+        }
+    }
+}
+
+SurfaceSplitResult SampledSurface::commit(const SurfaceSplit& split)
+{
+    MESHER_PRECONDITION(split.status == SurfaceSplitStatus::Ready);
+    SurfaceSplitResult result;
+    if (split.segment.isValid()) {
+        // On a shell the chain must know of it, so the place is asked for again.
+        const std::optional<SegmentPlace> place = faces_->chains().splitPlace(split.segment);
+        MESHER_INVARIANT(place.has_value());
+        const SegmentSplit made = faces_->chains().split(split.segment, *place, mesh_.nodes);
+        result.node = made.node;
+        result.halves = made.halves;
+        for (const SegmentId half : made.halves) mesh_.segments.push_back(faces_->chains().segments()[half]);
+        mesh_.segments[split.segment] = faces_->chains().segments()[split.segment];
+    } else {
+        result.node = mesh_.nodes.push_back(split.node);
+    }
+    for (const SurfaceFacet& facet : split.added) {
+        SurfaceFacet named = facet;
+        named.node[0] = result.node;
+        result.added.push_back(mesh_.facets.push_back(named));
+        triangleOf_.push_back({});
+    }
+    BrepFaceId last;
+    for (const FacetId facet : split.removed) {
+        const BrepFaceId f = mesh_.facets[facet].face;
+        if (f != last) commitFace(f, split, result);
+        last = f;
+    }
+    for (const FacetId facet : split.removed) mesh_.facets[facet].face = BrepFaceId();
+    return result;
+}
+
+}  // namespace mesher
