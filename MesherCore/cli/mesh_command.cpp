@@ -6,9 +6,7 @@
 #include "io/mesh_writer.h"
 #include "io/write_curved_boundary.h"
 #include "io/write_text_file.h"
-#include "pipeline/mesh_planar.h"
-#include "pipeline/planar_area.h"
-#include "pipeline/planar_model.h"
+#include "pipeline/mesh_model.h"
 
 #include <chrono>
 #include <iomanip>
@@ -39,7 +37,7 @@ public:
     ExitStatus run()
     {
         if (const std::optional<ExitStatus> refused = probeTargets()) return *refused;
-        const bool isDone = checkDimension() && readSizes() && readModelFile() && mesh() && writeOutputs();
+        const bool isDone = readSizes() && readModelFile() && mesh() && writeOutputs();
         progress_.clear();
         finishStatus();
         writeReport();
@@ -104,7 +102,6 @@ private:
             return false;
         }
         model_ = std::move(read).value().model;
-        report_.warnings = model_.notes;
         report_.unit = model_.unit;
         return true;
     }
@@ -120,66 +117,49 @@ private:
         return true;
     }
 
-    bool checkDimension()
-    {
-        if (command_.options.dimension == 2) return true;
-        fail({ErrorCode::InvalidArgument,
-              "solids are not yet meshed",
-              "model",
-              {},
-              "mesh plane faces with --dimension 2"});
-        return false;
-    }
-
     bool mesh()
     {
-        const Result<PlanarCurveComplex> complex = planarModel(model_, command_.options);
-        if (!complex) {
-            fail(complex.error());
-            return false;
-        }
-        report_.modelArea = planarArea(complex.value());
-        PlanarMeshOutcome outcome =
-            meshPlanar(complex.value(), command_.options, fileSizes_, command_.boundaryOrder, context_);
+        MeshOutcome outcome =
+            meshModel(model_, command_.options, fileSizes_, command_.boundaryOrder, context_);
         takeReport(std::move(outcome.report));
-        result_ = std::move(outcome.result);
-        if (result_) result_->mesh.title = command_.model.filename().string();
+        mesh_ = std::move(outcome.mesh);
+        boundary_ = std::move(outcome.curvedBoundary);
+        if (mesh_) mesh_->title = command_.model.filename().string();
         const bool isWhole = report_.status == MeshReport::Status::Done;
         const bool isPartial =
             report_.stopReason != StopReason::Done && report_.status == MeshReport::Status::Failed;
-        return result_.has_value() && (isWhole || (isPartial && command_.keepsPartial));
+        return mesh_.has_value() && (isWhole || (isPartial && command_.keepsPartial));
     }
 
     /// What the program knows beside the mesher's own report.
     void takeReport(MeshReport report)
     {
         report.modelFile = std::move(report_.modelFile);
-        report.modelArea = report_.modelArea;
-        report.warnings.insert(report.warnings.begin(), report_.warnings.begin(), report_.warnings.end());
         report.seconds.insert(report.seconds.begin(), report_.seconds.begin(), report_.seconds.end());
-        report.unit = report_.unit;
         report_ = std::move(report);
     }
 
     bool writeOutputs()
     {
         const Clock::time_point start = Clock::now();
-        result_->mesh.unit = model_.unit;
-        result_->boundary.unit = model_.unit;
         for (const OutputTarget& output : command_.outputs) {
             if (!context_.reportProgress("writing", 0.0)) {
                 report_.status = MeshReport::Status::Cancelled;
                 report_.stopReason = StopReason::Cancelled;
                 return false;
             }
-            if (failIf(writeMesh(result_->mesh, output.path, output.format))) return false;
+            if (failIf(writeMesh(*mesh_, output.path, output.format))) return false;
         }
-        if (command_.curvedBoundary &&
-            failIf(writeCurvedBoundary(result_->boundary, *command_.curvedBoundary))) {
-            return false;
-        }
+        if (command_.curvedBoundary && failIf(writeBoundary())) return false;
         addSeconds("writing", start);
         return true;
+    }
+
+    Result<void> writeBoundary() const
+    {
+        if (boundary_) return writeCurvedBoundary(*boundary_, *command_.curvedBoundary);
+        return Error{ErrorCode::InvalidArgument, "is written of plane meshes only", "--curved-boundary", {},
+                     "leave the option out"};
     }
 
     void finishStatus()
@@ -201,18 +181,25 @@ private:
 
     void summarise()
     {
-        if (!report_.triangleQuality) return;
-        const TriangleQuality& quality = *report_.triangleQuality;
         double total = 0.0;
         for (const auto& [stage, seconds] : report_.seconds) total += seconds;
-        console_.out << result_->mesh.nodes.size() << " nodes, " << result_->mesh.triangles.size()
-                     << " triangles, angles from " << std::fixed << std::setprecision(2)
-                     << quality.angle.least() << " to " << quality.angle.largest() << " degrees, " << total
-                     << " s\n";
+        console_.out << std::fixed << std::setprecision(2) << mesh_->nodes.size() << " nodes, ";
+        if (report_.tetQuality) {
+            tellElements(mesh_->tets.size(), "tetrahedra, dihedral angles", report_.tetQuality->dihedral);
+        } else if (report_.triangleQuality) {
+            tellElements(mesh_->triangles.size(), "triangles, angles", report_.triangleQuality->angle);
+        }
+        console_.out << total << " s\n";
         for (const OutputTarget& output : command_.outputs)
             console_.out << "wrote " << output.path.string() << '\n';
         for (const std::string& warning : report_.warnings)
             console_.err << "mesher: note: " << warning << '\n';
+    }
+
+    void tellElements(std::size_t count, const char* what, const RangeStatistics& angles)
+    {
+        console_.out << count << ' ' << what << " from " << angles.least() << " to " << angles.largest()
+                     << " degrees, ";
     }
 
     void addSeconds(const char* stage, Clock::time_point start)
@@ -228,7 +215,8 @@ private:
     MeshReport report_;
     BrepModel model_;
     std::shared_ptr<const SizingField> fileSizes_;
-    std::optional<PlanarMesh> result_;
+    std::optional<ClassifiedMesh> mesh_;
+    std::optional<CurvedBoundary> boundary_;
     ExitStatus status_ = ExitStatus::Done;
 };
 

@@ -84,7 +84,8 @@ void TetReplacement3d::create(std::span<const TetId> before, std::span<const Tet
             if (!isGhost(v)) mesh_.setIncidentTet(v, tet);
         }
     }
-    for (std::size_t i = reused; i < before.size(); ++i) mesh_.freeTet(before[i]);
+    // The last one first, so that a replacement taken back gets the slots it had, in their order.
+    for (std::size_t i = before.size(); i > reused; --i) mesh_.freeTet(before[i - 1]);
     for (const TetId tet : created_) {
         for (int i = 0; i < 4; ++i) {
             const TetFace face(tet, i);

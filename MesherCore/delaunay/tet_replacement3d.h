@@ -17,7 +17,8 @@ TetCorners withGhostLast(TetCorners corners);
 /// Puts other tetrahedra in the place of some: the one step behind every flip, edge removal and vertex removal.
 ///
 /// Guarantees   links, flags, regions and incident tetrahedra are right afterwards, constraints on the surface of the
-///              replaced part are kept; slots are reused in order, so the outcome is deterministic
+///              replaced part are kept; slots are reused in order, so the outcome is deterministic, and a
+///              replacement that is taken back at once (`created()` by the old corners) restores all ids
 /// Requires     `after` fills the same space as `before` and has the same surface (asserted); the constrained faces inside
 ///              of `before` are those that the caller replaces by `constrainedFaces`; no constrained edge is inside
 /// Cost         n log n in the number of faces

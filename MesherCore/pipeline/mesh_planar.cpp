@@ -1,8 +1,8 @@
 #include "pipeline/mesh_planar.h"
 
-#include "mesh/mesh_check.h"
 #include "pipeline/estimate.h"
 #include "pipeline/planar_sizes.h"
+#include "pipeline/report_steps.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,13 +12,6 @@
 namespace mesher {
 
 namespace {
-
-void fail(MeshReport& report, Error error)
-{
-    report.status = MeshReport::Status::Failed;
-    if (error.entity.empty()) error.entity = "model";
-    report.failures.push_back(std::move(error));
-}
 
 /// What plane meshes do not do yet is refused, not passed over.
 Result<void> checkSupported(const MeshOptions& options)
@@ -64,50 +57,17 @@ void tellCounts(const PlanarResult& result, MeshReport& report)
                       {"refinement", result.seconds.refinement}};
 }
 
-std::string limitMessage(StopReason reason, const MeshOptions& options)
-{
-    switch (reason) {
-        case StopReason::ElementLimit:
-            return "the limit of " + std::to_string(options.maxElements) + " elements is reached";
-        case StopReason::TimeLimit: return "the time limit is reached";
-        case StopReason::Cancelled: return "the run was cancelled";
-        case StopReason::CannotImprove: return "the mesh cannot be improved any further";
-        default: return "a limit of the run is reached";
-    }
-}
-
+/// A run that was expected to go beyond the limit on elements is told by how much.
 void tellStop(const PlanarResult& result, MeshReport& report)
 {
-    const StopReason reason = result.stopReason;
-    report.stopReason = reason;
-    if (reason == StopReason::Done) return;
-    report.status =
-        reason == StopReason::Cancelled ? MeshReport::Status::Cancelled : MeshReport::Status::Failed;
     const Result<void> affordable =
         checkAffordable(costOfTriangles(result.counts.expectedTriangles), report.options);
-    if (reason == StopReason::ElementLimit && !affordable) {
-        report.failures.push_back(affordable.error());
+    if (result.stopReason != StopReason::ElementLimit || affordable) {
+        tellStop(result.stopReason, report);
         return;
     }
-    const bool isElements = reason == StopReason::ElementLimit;
-    report.failures.push_back({ErrorCode::OutOfRange,
-                               limitMessage(reason, report.options),
-                               "model",
-                               {},
-                               reason == StopReason::Cancelled ? ""
-                               : isElements ? "choose a larger --size or raise --max-elements"
-                                            : "choose a larger --size or raise --timeout"});
-}
-
-void checkWhole(const ClassifiedMesh& mesh, MeshReport& report)
-{
-    for (const std::string& problem : checkMesh(mesh).problems()) {
-        fail(report, {ErrorCode::InvalidArgument,
-                      "the check of the mesh found " + problem,
-                      "mesh",
-                      {},
-                      "report this model as a fault of the mesher"});
-    }
+    report.stopReason = result.stopReason;
+    fail(report, affordable.error());
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ public:
             }
         }
         do {
-            flipQueue();
+            flipUntilStuck();
         } while (fillStuckOnes());
         counts_.nonDelaunayFaces = countNonDelaunayFaces(mesh_);
         return counts_;
@@ -95,6 +95,18 @@ private:
             ++counts_.flips;
             pushCreated();
         }
+    }
+
+    /// A face may wait for a flip beside it.
+    void flipUntilStuck()
+    {
+        std::uint64_t before = 0;
+        do {
+            before = counts_.flips;
+            queue_.insert(queue_.end(), stuck_.begin(), stuck_.end());
+            stuck_.clear();
+            flipQueue();
+        } while (counts_.flips > before && !stuck_.empty() && !budget_.exhausted());
     }
 
     /// The flip of the convex union of the tetrahedra at the face: 2-3 inside of it, 3-2 or 4-4 at an edge of it.

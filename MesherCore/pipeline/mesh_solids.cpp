@@ -1,0 +1,251 @@
+#include "pipeline/mesh_solids.h"
+
+#include "mesh/region_sides.h"
+#include "pipeline/classify_solids.h"
+#include "pipeline/report_steps.h"
+#include "pipeline/solid_sizes.h"
+#include "refinement/refine_volume.h"
+#include "surface_sampling/sample_surface.h"
+#include "tetrahedralization/tetrahedralize.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace mesher {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Error notYet(const char* option, const char* what)
+{
+    return {ErrorCode::InvalidArgument, what, option, {}, "leave the option out"};
+}
+
+/// One run: each step returns whether the next one may follow.
+class SolidRun
+{
+public:
+    SolidRun(const BrepModel& model, const MeshOptions& options, RunContext& context)
+        : model_(model), options_(options), context_(context), start_(Clock::now())
+    {
+        report().options = options;
+    }
+
+    MeshOutcome meshSolids(std::shared_ptr<const SizingField> fromFiles)
+    {
+        if (checkModel() && prepare(std::move(fromFiles)) && sample() && tetrahedralizeSample() && refine())
+            classify();
+        return std::move(outcome_);
+    }
+
+    MeshOutcome meshFaces(std::shared_ptr<const SizingField> fromFiles)
+    {
+        if (!prepare(std::move(fromFiles)) || !sample()) return std::move(outcome_);
+        outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
+        finish();
+        return std::move(outcome_);
+    }
+
+private:
+    [[nodiscard]] MeshReport& report() { return outcome_.report; }
+
+    bool failed(Error error)
+    {
+        fail(report(), std::move(error));
+        return false;
+    }
+
+    bool checkModel()
+    {
+        if (model_.solids.empty()) {
+            return failed({ErrorCode::InvalidArgument, "has no solid", "model", {},
+                           "close its shell, or mesh its faces with --dimension 2"});
+        }
+        for (std::uint32_t i = 0; i < model_.solids.size(); ++i) {
+            for (const BrepShell& shell : model_.solids[BrepSolidId(i)].shells) {
+                if (shell.isClosed) continue;
+                const std::string face =
+                    shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
+                return failed({ErrorCode::InvalidArgument, "has an open shell, that of " + face,
+                               nameOf(BrepSolidId(i)), {}, "close the shell, or mesh its faces with --dimension 2"});
+            }
+        }
+        return true;
+    }
+
+    bool prepare(std::shared_ptr<const SizingField> fromFiles)
+    {
+        if (options_.order != 1) return failed(notYet("--order 2", "is not yet there for solids and faces in space"));
+        Result<RegionSides> sides = regionSidesOf(model_);
+        if (!sides) return failed(sides.error());
+        sides_ = std::move(sides).value();
+        Result<std::shared_ptr<const SizingField>> sizes = solidSizes(model_, options_, std::move(fromFiles));
+        if (!sizes) return failed(sizes.error());
+        sizes_ = std::move(sizes).value();
+        return true;
+    }
+
+    bool sample()
+    {
+        SurfaceSamplingOptions sampling;
+        sampling.curves.sizes = sizes_.get();
+        sampling.curves.segmentsPerTurn = options_.curvature;
+        sampling.curves.maxSag = options_.sag;
+        sampling.facets.minAngle = std::min(options_.minAngle, 34.0);
+        sampling.facets.elementsPerTurn = options_.curvature;
+        sampling.facets.maxSag = options_.sag;
+        sampling.facets.sizes = sizes_.get();
+        sampling.facets.leastCurvatureSize = options_.minSize.value_or(0.0);
+        sampling.limits.maxTime = timeLeft();
+        sampling.limits.maxElements = options_.maxElements;
+        const Clock::time_point start = Clock::now();
+        Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);
+        addSeconds("surfaces", start);
+        if (!sampled) return failed(sampled.error());
+        sample_ = std::move(sampled).value();
+        tellSample();
+        for (const auto& [face, error] : sample_.failures) fail(report(), error);
+        if (!sample_.failures.empty()) return false;
+        return mayGoOn(sample_.stopReason);
+    }
+
+    void tellSample()
+    {
+        const SurfaceSamplingCounts& counts = sample_.counts;
+        add("curve_vertices", counts.curveNodes);
+        add("initial_surface_vertices", counts.initialVertices);
+        add("sample_vertices", counts.vertices);
+        add("sample_facets", counts.facets);
+        add("sample_segments", counts.segments);
+    }
+
+    bool tetrahedralizeSample()
+    {
+        TetrahedralizationOptions recovery;
+        recovery.limits.maxTime = timeLeft();
+        const Clock::time_point start = Clock::now();
+        Result<Tetrahedralization> made = tetrahedralize(*sample_.surface, sides_, recovery, context_);
+        addSeconds("tetrahedralization", start);
+        if (!made) return failed(made.error());
+        tetrahedralization_ = std::move(made).value();
+        tellRecovery();
+        for (const Error& error : tetrahedralization_.failures) fail(report(), error);
+        if (!tetrahedralization_.failures.empty()) return false;
+        return mayGoOn(tetrahedralization_.stopReason);
+    }
+
+    void tellRecovery()
+    {
+        const TetrahedralizationCounts& counts = tetrahedralization_.counts;
+        add("missing_edges", counts.missingEdges);
+        add("missing_facets", counts.missingFacets);
+        add("recovery_splits", counts.exactSplits);
+        add("recovery_vertices", counts.edgeSteiner + counts.facetSteiner + counts.freeVerticesLeft);
+        add("scaffold_vertices", counts.scaffoldPoints);
+        add("non_delaunay_faces", counts.nonDelaunayFaces);
+    }
+
+    bool refine()
+    {
+        RefineVolumeOptions refinement;
+        refinement.sizing.refinement = options_.refinement;
+        refinement.sizing.grading = options_.grading;
+        refinement.sizing.field = sizes_.get();
+        refinement.quality.measure = options_.measure;
+        refinement.quality.threshold = options_.threshold;
+        refinement.limits.maxElements = options_.maxElements;
+        refinement.limits.maxTime = timeLeft();
+        const Clock::time_point start = Clock::now();
+        Result<RefinedVolume> refined =
+            refineVolume(tetrahedralization_.tets, *sample_.surface, refinement, context_);
+        addSeconds("refinement", start);
+        if (!refined) return failed(refined.error());
+        tellRefinement(refined.value());
+        const StopReason reason = refined->stopReason;
+        // Tetrahedra that stay bad, beside small angles of the shape for one, are told and do not fail the run.
+        tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+        return report().status != MeshReport::Status::Cancelled;
+    }
+
+    void tellRefinement(const RefinedVolume& refined)
+    {
+        const RefinementCounts3d& counts = refined.counts;
+        add("sink_insertions", counts.sinkInsertions);
+        add("size_insertions", counts.sizeInsertions);
+        add("quality_insertions", counts.qualityInsertions);
+        add("segment_splits", counts.segmentSplits);
+        add("facet_splits", counts.facetSplits);
+        add("cavity_repairs", counts.cavityRepairs);
+        add("aborted_insertions", counts.abortedInsertions);
+        add("refused_segments", counts.refusedSegments);
+        add("refused_facets", counts.refusedFacets);
+        add("tets_left", refined.left.size());
+        add("tets_left_beside_small_angles", refined.leftForSmallAngles);
+    }
+
+    void classify()
+    {
+        outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
+        finish();
+    }
+
+    void finish()
+    {
+        describeMesh(*outcome_.mesh, report());
+        if (options_.isChecked) checkWhole(*outcome_.mesh, report());
+    }
+
+    bool mayGoOn(StopReason reason)
+    {
+        if (reason == StopReason::Done || reason == StopReason::CannotImprove) return true;
+        tellStop(reason, report());
+        return false;
+    }
+
+    [[nodiscard]] std::optional<Clock::duration> timeLeft() const
+    {
+        if (!options_.timeout) return std::nullopt;
+        const double left = std::max(0.0, std::min(*options_.timeout, 1e9) - secondsSince(start_));
+        return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
+    }
+
+    void add(const char* name, std::uint64_t count) { report().counts.emplace_back(name, count); }
+    void addSeconds(const char* stage, Clock::time_point start)
+    {
+        report().seconds.emplace_back(stage, secondsSince(start));
+    }
+
+    const BrepModel& model_;
+    const MeshOptions& options_;
+    RunContext& context_;
+    Clock::time_point start_;
+    RegionSides sides_;
+    std::shared_ptr<const SizingField> sizes_;
+    SurfaceSample sample_;
+    Tetrahedralization tetrahedralization_;
+    MeshOutcome outcome_;
+};
+
+}  // namespace
+
+MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
+                       std::shared_ptr<const SizingField> fromFiles, RunContext& context)
+{
+    return SolidRun(model, options, context).meshSolids(std::move(fromFiles));
+}
+
+MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,
+                      std::shared_ptr<const SizingField> fromFiles, RunContext& context)
+{
+    return SolidRun(model, options, context).meshFaces(std::move(fromFiles));
+}
+
+}  // namespace mesher

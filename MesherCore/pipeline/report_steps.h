@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/error.h"
+#include "base/stop_reason.h"
+#include "mesh/classified_mesh.h"
+#include "pipeline/mesh_report.h"
+
+namespace mesher {
+
+/// The run failed for this reason; without an entity that is the model.
+void fail(MeshReport& report, Error error);
+
+/// The run ended early for this reason, unless it is done: what limit it was, and what to do about it.
+void tellStop(StopReason reason, MeshReport& report);
+
+/// Checks the whole mesh as anyone who reads its file could; what is found fails the run.
+void checkWhole(const ClassifiedMesh& mesh, MeshReport& report);
+
+}  // namespace mesher
