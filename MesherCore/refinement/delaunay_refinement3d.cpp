@@ -191,11 +191,8 @@ private:
         return true;
     }
 
-    Attempt attempt(TetId tet)
+    Attempt attemptAt(TetId tet, const Vec3& point)
     {
-        const std::optional<Vec3> centre = criteria_.circumcentre(tet);
-        if (!centre) return Attempt::Impossible;
-        const Vec3 point = onGrid(*centre);
         const Cavity3d& conflicts = t_.delaunay->findConflicts(point, tet);
         const Encroached3d encroached = findEncroached(mesh_, conflicts, t_.delaunay->filter());
         if (encroached.segment[0].isValid() || encroached.facet.isValid()) return reject(encroached);
@@ -211,6 +208,18 @@ private:
         }
         insert(region, cavity.tets.size());
         return Attempt::Inserted;
+    }
+
+    /// The circumcentre of the tetrahedron; where that is lost in rounding, of its largest face, which is in conflict too.
+    Attempt attempt(TetId tet)
+    {
+        const std::optional<Vec3> centre = criteria_.circumcentre(tet);
+        const Attempt first = centre ? attemptAt(tet, onGrid(*centre)) : Attempt::Impossible;
+        if (first != Attempt::Impossible || !criteria_.isNearlyFlat(tet)) return first;
+        const std::optional<Vec3> ofFace = criteria_.centreOfLargestFace(tet);
+        if (!ofFace) return Attempt::Impossible;
+        ++result_.counts.flatTets;
+        return attemptAt(tet, onGrid(*ofFace));
     }
 
     void insert(RegionId region, std::size_t removedTets)
@@ -449,8 +458,7 @@ private:
     void finishSplit(const BoundarySplit3d& split)
     {
         const VertexId v = split.vertex;
-        const auto [sizeCeiling, guardCeiling] = ceilings(split);
-        scale_.assign(v, t_.delaunay->neighboursOfCommitted(), sizeCeiling, guardCeiling);
+        scale_.assign(v, t_.delaunay->neighboursOfCommitted(), ceilingAt(split));
         scale_.gradeAgainFrom(v, lowered_);
         const SurfaceSplitResult& made = boundary_.made();
         for (const SegmentId half : made.halves) {
@@ -467,20 +475,18 @@ private:
         for (const VertexId w : lowered_) queueStar(w);
     }
 
-    /// Means of the scales of the vertices around, weighted by the inverse of their distance (thesis section 4.4). Between
+    /// Mean of the scales of the vertices around, weighted by the inverse of their distance (thesis section 4.4). Between
     /// the ends of a segment that is linear interpolation.
-    std::pair<double, double> ceilings(const BoundarySplit3d& split) const
+    [[nodiscard]] double ceilingAt(const BoundarySplit3d& split) const
     {
         double weights = 0.0;
         double sizes = 0.0;
-        double guards = 0.0;
         for (const VertexId w : split.surround) {
             const double weight = 1.0 / length(mesh_.position(w) - mesh_.position(split.vertex));
             weights += weight;
             sizes += weight * scale_.size(w);
-            guards += weight * scale_.guard(w);
         }
-        return {sizes / weights, guards / weights};
+        return sizes / weights;
     }
 
     void recount(const BoundarySplit3d&)

@@ -270,7 +270,8 @@ void addFacets(const SolidGeometry& geometry, SurfaceMesh& surface, ConstrainedT
                 faces = commonOf(faces, geometry.facesAt(surface.nodes[facet.node[k]].position));
             }
             if (faces.empty()) throw std::logic_error("a facet of the sample is on no face");
-            facet.face = BrepFaceId(faces.front());
+            // Three points of a rim are on the lid, the later face.
+            facet.face = BrepFaceId(faces.back());
             const FacetId id = surface.facets.push_back(facet);
             std::sort(v.begin(), v.end());
             t.facetOf.insert(v, id);
