@@ -213,11 +213,11 @@ bool CavityOperator3d::seedFacets(const StaticFilter3d& filter)
         const TetFace face = mesh_.findFace(a, b, c);
         if (!face.isValid() || !mesh_.isFaceConstrained(face)) return false;
         const auto [f0, f1, f2] = mesh_.faceVertices(face);
-        const Sign side = orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2),
-                                   cavity_.point);
+        const Sign side =
+            orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2), cavity_.point);
         const TetId behind = mesh_.neighbour(face).tet();
-        for (const TetId tet : {side != Sign::Negative ? face.tet() : TetId(),
-                                side != Sign::Positive ? behind : TetId()}) {
+        for (const TetId tet :
+             {side != Sign::Negative ? face.tet() : TetId(), side != Sign::Positive ? behind : TetId()}) {
             if (!tet.isValid()) continue;
             if (mesh_.isGhostTet(tet) && !isInConflict(tet, cavity_.point, filter)) return false;
             if (std::find(grownSeeds_.begin(), grownSeeds_.end(), tet) == grownSeeds_.end()) {

@@ -98,7 +98,8 @@ public:
 
     /// The cavity of a point that replaces facets. A facet stays as an ordinary face where the tetrahedron behind it, seen
     /// from the point, is not in conflict.
-    const Cavity3d& findForFacets(const Vec3& point, const CavitySplit3d& split, const StaticFilter3d& filter);
+    const Cavity3d& findForFacets(const Vec3& point, const CavitySplit3d& split,
+                                  const StaticFilter3d& filter);
 
     /// The first half of `find` without a split: the tetrahedra in conflict and `constrainedFaces`, not yet star-shaped.
     /// Who wants the point must ask `makeStarShaped` with nothing changed in between.

@@ -448,11 +448,38 @@ private:
         for (unsigned k = 1; k < 3; ++k) {
             if (squaredSide(k) > squaredSide(longest)) longest = k;
         }
-        const SegmentId* segment =
-            t_.segmentOf.find(unorderedPair(corner[longest], corner[(longest + 1) % 3]));
-        if (segment == nullptr || !pushSegment(*segment)) return false;
+        const VertexId from = corner[longest];
+        const VertexId to = corner[(longest + 1) % 3];
+        // Once only, or two facets could wait for each other.
+        if (isRefused(deferredFacets_, facet.value)) return false;
+        refuse(deferredFacets_, facet.value);
+        const SegmentId* segment = t_.segmentOf.find(unorderedPair(from, to));
+        const bool isWaiting =
+            segment != nullptr ? pushSegment(*segment) : pushFacet(facetBehind(facet, from, to));
+        if (!isWaiting) return false;
         ++result_.counts.neighbourSplits;
         return pushFacet(facet);
+    }
+
+    /// The other facet at a side, which is no segment; invalid if there is none.
+    [[nodiscard]] FacetId facetBehind(FacetId facet, VertexId from, VertexId to)
+    {
+        const TetId at = mesh_.findEdge(from, to);
+        if (!at.isValid()) return {};
+        mesh_.collectEdgeRing(at, from, to, star_);
+        for (const TetId tet : star_) {
+            for (int face = 0; face < 4; ++face) {
+                if (!mesh_.isFaceConstrained({tet, face})) continue;
+                Face corners = mesh_.faceVertices({tet, face});
+                std::sort(corners.begin(), corners.end());
+                const FacetId* other = t_.facetOf.find(corners);
+                const bool isAtSide = std::count(corners.begin(), corners.end(), from) +
+                                          std::count(corners.begin(), corners.end(), to) ==
+                                      2;
+                if (isAtSide && other != nullptr && *other != facet) return *other;
+            }
+        }
+        return {};
     }
 
     void finishSplit(const BoundarySplit3d& split)
@@ -568,6 +595,7 @@ private:
     BucketQueue<TetId> qualities_;
     std::vector<char> refusedSegments_;
     std::vector<char> refusedFacets_;
+    std::vector<char> deferredFacets_;  ///< that have waited for a neighbour
     std::vector<VertexId> lowered_;
     std::vector<TetId> star_;
     std::uint64_t meshedTets_ = 0;
