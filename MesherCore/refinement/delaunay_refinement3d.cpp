@@ -288,7 +288,7 @@ private:
             return false;
         const auto& ends = splitter_.mesh().segments[segment].node;
         const Vec3 along = mesh_.position(t_.vertexOf[ends[1]]) - mesh_.position(t_.vertexOf[ends[0]]);
-        segments_.push(segment, 0, length(along));
+        segments_.push(segment, 0, length(along) / t_.scale);
         return true;
     }
 
@@ -298,7 +298,7 @@ private:
             return false;
         const std::optional<ProtectingBall> ball = ballOf(facet);
         if (!ball) return false;
-        facets_.push(facet, 0, std::sqrt(ball->squaredRadius));
+        facets_.push(facet, 0, std::sqrt(ball->squaredRadius) / t_.scale);
         return true;
     }
 
@@ -528,6 +528,7 @@ private:
 
     void collectLeft()
     {
+        guard_.collectPlaces(splitter_.mesh());
         for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) {
             const TetId tet(i);
             if (!isMeshed(tet)) continue;
@@ -541,9 +542,9 @@ private:
     {
         LeftTet3d left;
         left.tet = tet;
-        left.angle = guard_.blameFor(t_, splitter_.mesh(), tet);
         left.reason = LeftReason3d::Unfinished;
         if (isStopped_) return left;
+        left.angle = blameFor(tet);
         if (left.angle) {
             left.reason = LeftReason3d::SmallInputAngle;
         } else if (verdict.need == TetNeed::Nothing) {
@@ -554,6 +555,18 @@ private:
                 left.entity.index != EntityRef::kNone ? LeftReason3d::Boundary : LeftReason3d::Resolution;
         }
         return left;
+    }
+
+    [[nodiscard]] std::optional<SmallInputAngle> blameFor(TetId tet) const
+    {
+        constexpr double kReach = 2.0;  // in length scales
+        Vec3 centroid;
+        double scale = 0.0;
+        for (const VertexId v : mesh_.tet(tet).vertex) {
+            centroid = centroid + 0.25 * mesh_.position(v);
+            scale += 0.25 * scale_.guard(v);
+        }
+        return guard_.blameFor((1.0 / t_.scale) * centroid, kReach * scale / t_.scale);
     }
 
     [[nodiscard]] EntityRef boundaryInTheWay(TetId tet)
