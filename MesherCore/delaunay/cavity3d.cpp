@@ -171,23 +171,61 @@ void CavityOperator3d::unmarkAll()
 const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId> seeds,
                                        const CavitySplit3d& split, const StaticFilter3d& filter)
 {
-    grownSeeds_.assign(seeds.begin(), seeds.end());
+    begin(point, seeds, split);
+    collectConflicts<true>(point, filter);
+    repair(seeds, filter);
+    finish();
+    return cavity_;
+}
+
+const Cavity3d& CavityOperator3d::findForFacets(const Vec3& point, const CavitySplit3d& split,
+                                                const StaticFilter3d& filter)
+{
+    begin(point, {}, split);
+    if (!seedFacets(filter)) {
+        cavity_.status = CavityStatus::BlockedByConstraint;
+        return cavity_;
+    }
+    const std::size_t most = grownSeeds_.size() + kMostGrowth;
     for (;;) {
         begin(point, grownSeeds_, split);
         collectConflicts<true>(point, filter);
         repair(grownSeeds_, filter);
         // A tetrahedron at a replaced facet need not be in conflict with a point off the plane: the cavity grows where
-        // such a one would not see the point.
+        // such a one does not see the point.
         const TetId behind = tetBehindBlocker();
-        if (!behind.isValid() || grownSeeds_.size() >= seeds.size() + kMostGrowth) break;
+        if (!behind.isValid() || grownSeeds_.size() >= most) break;
         grownSeeds_.push_back(behind);
     }
-    if (cavity_.status == CavityStatus::Ready && split_.kind == CavitySplit3d::Kind::Facets &&
-        hasEnclosedVertex()) {
+    if (cavity_.status == CavityStatus::Ready && hasEnclosedVertex()) {
         cavity_.status = CavityStatus::NotStarShaped;
     }
     finish();
     return cavity_;
+}
+
+/// The tetrahedra that must go for the facets to go: those in front of them, both where the point is in the plane. A hull
+/// facet goes only if the point lies beyond it. False if a facet is not there or cannot go.
+bool CavityOperator3d::seedFacets(const StaticFilter3d& filter)
+{
+    grownSeeds_.clear();
+    for (const auto& [a, b, c] : split_.faces) {
+        const TetFace face = mesh_.findFace(a, b, c);
+        if (!face.isValid() || !mesh_.isFaceConstrained(face)) return false;
+        const auto [f0, f1, f2] = mesh_.faceVertices(face);
+        const Sign side =
+            orient3d(filter, mesh_.position(f0), mesh_.position(f1), mesh_.position(f2), cavity_.point);
+        const TetId behind = mesh_.neighbour(face).tet();
+        for (const TetId tet :
+             {side != Sign::Negative ? face.tet() : TetId(), side != Sign::Positive ? behind : TetId()}) {
+            if (!tet.isValid()) continue;
+            if (mesh_.isGhostTet(tet) && !isInConflict(tet, cavity_.point, filter)) return false;
+            if (std::find(grownSeeds_.begin(), grownSeeds_.end(), tet) == grownSeeds_.end()) {
+                grownSeeds_.push_back(tet);
+            }
+        }
+    }
+    return !grownSeeds_.empty();
 }
 
 const Cavity3d& CavityOperator3d::findConflicts(const Vec3& point, TetId seed, const StaticFilter3d& filter)
@@ -210,9 +248,16 @@ const Cavity3d& CavityOperator3d::makeStarShaped(const StaticFilter3d& filter)
 /// The tetrahedron to grow by when facets of a curved surface are replaced.
 TetId CavityOperator3d::tetBehindBlocker() const
 {
-    const bool mayGrow = split_.kind == CavitySplit3d::Kind::Facets &&
-                         cavity_.status == CavityStatus::NotStarShaped && blockingFace_.isValid();
+    const bool mayGrow = cavity_.status == CavityStatus::NotStarShaped && blockingFace_.isValid() &&
+                         !mesh_.isGhostTet(blockingFace_.tet());
     return mayGrow ? blockingFace_.tet() : TetId();
+}
+
+/// The constrained edge that the point halves may stay as an ordinary edge around the cavity.
+void CavityOperator3d::releaseSplitEdge()
+{
+    const TetId at = mesh_.findEdge(split_.vertex[0], split_.vertex[1]);
+    if (at.isValid()) mesh_.setEdgeConstrained(at, split_.vertex[0], split_.vertex[1], false);
 }
 
 /// Seeds that are not in conflict with the point can close around a vertex, which would be lost.
@@ -238,14 +283,22 @@ void CavityOperator3d::finish()
         CavityFaceConstraints3d carried;
         carried.region = mesh_.region(inner.tet());
         for (unsigned k = 0; k < 3; ++k) {
-            const int a = mesh_.slotOf(inner.tet(), face.vertex[(k + 1) % 3]);
-            const int b = mesh_.slotOf(inner.tet(), face.vertex[(k + 2) % 3]);
-            if (mesh_.isEdgeConstrained(inner.tet(), kEdgeOfSlots[a][b])) {
+            const VertexId from = face.vertex[(k + 1) % 3];
+            const VertexId to = face.vertex[(k + 2) % 3];
+            const int edge = kEdgeOfSlots[mesh_.slotOf(inner.tet(), from)][mesh_.slotOf(inner.tet(), to)];
+            if (mesh_.isEdgeConstrained(inner.tet(), edge) && !isSplitEdge(from, to)) {
                 carried.edges = static_cast<std::uint8_t>(carried.edges | (1u << k));
             }
         }
+        if (mesh_.isFaceConstrained(face.outer)) {
+            carried.isReleased = !isCrossingForbidden(face.outer);
+            if (carried.isReleased) {
+                carried.region = mesh_.region(face.outer.tet());
+            } else {
+                cavity_.constrainedFaces.push_back(face.outer);
+            }
+        }
         cavity_.constraints.push_back(carried);
-        if (mesh_.isFaceConstrained(face.outer)) cavity_.constrainedFaces.push_back(face.outer);
     }
 }
 
@@ -477,7 +530,13 @@ void CavityOperator3d::carryConstraints(VertexId vertex)
         created_.push_back(tet);
         const CavityFaceConstraints3d& carried = cavity_.constraints[i];
         std::uint16_t& flags = mesh_.state(tet).flags;
-        if (mesh_.isFaceConstrained(cavity_.faces[i].outer)) flags |= tet_flag::face(0);
+        const TetFace outer = cavity_.faces[i].outer;
+        if (carried.isReleased) {
+            std::uint16_t& outerFlags = mesh_.state(outer.tet()).flags;
+            outerFlags = static_cast<std::uint16_t>(outerFlags & ~tet_flag::face(outer.face()));
+        } else if (mesh_.isFaceConstrained(outer)) {
+            flags |= tet_flag::face(0);
+        }
         for (int k = 0; k < 3; ++k) {
             if ((carried.edges >> k & 1) == 0) continue;
             flags |= tet_flag::edge(kEdgeOfSlots[(k + 1) % 3 + 1][(k + 2) % 3 + 1]);
@@ -510,6 +569,7 @@ void CavityOperator3d::constrainSplitParts()
 TetId CavityOperator3d::commit(VertexId vertex)
 {
     MESHER_PRECONDITION(cavity_.status == CavityStatus::Ready);
+    if (split_.kind == CavitySplit3d::Kind::Facets && split_.vertex[0].isValid()) releaseSplitEdge();
     return retriangulate<true>(vertex);
 }
 

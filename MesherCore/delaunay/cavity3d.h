@@ -25,6 +25,8 @@ struct CavityFaceConstraints3d
 {
     /// Bit k: the edge opposite vertex[k] is constrained.
     std::uint8_t edges = 0;
+    /// A facet that gives way, with the point in front of it: an ordinary face from now on.
+    bool isReleased = false;
     RegionId region;
 };
 
@@ -81,8 +83,7 @@ struct CavitySplit3d
 /// Guarantees   a committed cavity was star-shaped around its point, and every constrained face and edge that the split
 ///              did not name is still there; the tetrahedra around stay linked (checkTopology)
 /// Requires     `seeds` have the point in their closure (a ghost one: the point lies outside of its hull facet), or are
-///              in conflict with it; of split facets they are the tetrahedra on both sides of each, and all around the
-///              split edge. The triangulation is (constrained) Delaunay, else the result is only star-shaped
+///              in conflict with it. The triangulation is (constrained) Delaunay, else the result is only star-shaped
 /// Cost         proportional to the cavity; no allocation once the scratch arrays have grown
 /// Reference    [bowyer1981] [watson1981] [gosselin] §1.2.2, §4.7.2
 class CavityOperator3d
@@ -94,6 +95,11 @@ public:
     /// face, made star-shaped. The returned cavity is valid until the next call.
     const Cavity3d& find(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split,
                          const StaticFilter3d& filter);
+
+    /// The cavity of a point that replaces facets. A facet stays as an ordinary face where the tetrahedron behind it, seen
+    /// from the point, is not in conflict.
+    const Cavity3d& findForFacets(const Vec3& point, const CavitySplit3d& split,
+                                  const StaticFilter3d& filter);
 
     /// The first half of `find` without a split: the tetrahedra in conflict and `constrainedFaces`, not yet star-shaped.
     /// Who wants the point must ask `makeStarShaped` with nothing changed in between.
@@ -137,8 +143,10 @@ private:
     void begin(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split);
     void repair(std::span<const TetId> seeds, const StaticFilter3d& filter);
     void unmarkAll();
+    bool seedFacets(const StaticFilter3d& filter);
     TetId tetBehindBlocker() const;
     bool hasEnclosedVertex();
+    void releaseSplitEdge();
 
     void refloodFromSeeds(std::span<const TetId> seeds);
     bool repairOnce(std::span<const TetId> seeds, const StaticFilter3d& filter);

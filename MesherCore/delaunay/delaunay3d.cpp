@@ -283,11 +283,11 @@ const Cavity3d& Delaunay3d::findCavity(Vec3 point, const Location3d& location, C
     return cavities_.find(point, seeds_, split, filter_);
 }
 
-const Cavity3d& Delaunay3d::findCavity(Vec3 point, std::span<const TetId> seeds, const CavitySplit3d& split)
+const Cavity3d& Delaunay3d::findCavity(Vec3 point, const CavitySplit3d& split)
 {
     point = withoutNegativeZero(point);
     expectPointsIn({point, point});
-    return cavities_.find(point, seeds, split, filter_);
+    return cavities_.findForFacets(point, split, filter_);
 }
 
 const Cavity3d& Delaunay3d::findConflicts(Vec3 point, TetId seed)

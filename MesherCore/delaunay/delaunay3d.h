@@ -135,8 +135,8 @@ public:
     /// The cavity of a point in a located place, for callers that look before they insert; `commit` may follow
     /// as long as nothing else has changed.
     const Cavity3d& findCavity(Vec3 point, const Location3d& location, ConstraintPolicy policy);
-    /// The same from tetrahedra that the caller knows to be in conflict, see CavityOperator3d::find.
-    const Cavity3d& findCavity(Vec3 point, std::span<const TetId> seeds, const CavitySplit3d& split);
+    /// The same for a point that replaces facets, see CavityOperator3d::findForFacets.
+    const Cavity3d& findCavity(Vec3 point, const CavitySplit3d& split);
     /// In two halves from one tetrahedron in conflict, for callers that look at the constraints in between.
     const Cavity3d& findConflicts(Vec3 point, TetId seed);
     const Cavity3d& makeStarShaped() { return cavities_.makeStarShaped(filter_); }

@@ -63,43 +63,15 @@ bool BoundarySplitter3d::prepare()
     }
     std::sort(perimeter_.begin(), perimeter_.end());
     std::sort(boundary_.begin(), boundary_.end());
-    if (perimeter_ == boundary_ && collectSeeds()) return true;
+    if (perimeter_ == boundary_) return true;
     ++counts_.inconsistentSplits;
     return false;
-}
-
-void BoundarySplitter3d::addSeed(TetId tet)
-{
-    if (std::find(seeds_.begin(), seeds_.end(), tet) == seeds_.end()) seeds_.push_back(tet);
-}
-
-bool BoundarySplitter3d::addRing(VertexId a, VertexId b)
-{
-    const TetId at = t_.mesh().findEdge(a, b);
-    if (!at.isValid()) return false;
-    t_.mesh().collectEdgeRing(at, a, b, ring_);
-    for (const TetId tet : ring_) addSeed(tet);
-    return true;
-}
-
-/// The tetrahedra that lose a constraint: on both sides of the removed facets and all around the segment.
-bool BoundarySplitter3d::collectSeeds()
-{
-    seeds_.clear();
-    if (edge_[0].isValid() && !addRing(edge_[0], edge_[1])) return false;
-    for (const Face& face : faces_) {
-        const TetFace at = t_.mesh().findFace(face[0], face[1], face[2]);
-        if (!at.isValid()) return false;
-        addSeed(at.tet());
-        addSeed(t_.mesh().neighbour(at).tet());
-    }
-    return true;
 }
 
 const Cavity3d& BoundarySplitter3d::findCavity()
 {
     const CavitySplit3d split{CavitySplit3d::Kind::Facets, edge_, faces_, perimeter_};
-    return t_.delaunay->findCavity(t_.scale * split_.node.position, seeds_, split);
+    return t_.delaunay->findCavity(t_.scale * split_.node.position, split);
 }
 
 SegmentId BoundarySplitter3d::encroachedSegment(const Cavity3d& cavity,
@@ -161,7 +133,6 @@ bool BoundarySplitter3d::isCavityReady(const ProtectingBall& ball)
         const Cavity3d& cavity = findCavity();
         if (cavity.status != CavityStatus::Ready) return false;
         if (!deleteVerticesIn(cavity, ball)) return true;
-        if (!collectSeeds()) return false;
     }
     return findCavity().status == CavityStatus::Ready;
 }

@@ -64,9 +64,6 @@ private:
     using Edge = std::array<VertexId, 2>;
 
     bool prepare();
-    bool collectSeeds();
-    bool addRing(VertexId a, VertexId b);
-    void addSeed(TetId tet);
     const Cavity3d& findCavity();
     SegmentId encroachedSegment(const Cavity3d& cavity,
                                 const std::function<bool(SegmentId)>& mayEncroach) const;
@@ -84,8 +81,6 @@ private:
     std::vector<Edge> perimeter_;
     std::vector<Edge> boundary_;
     std::array<VertexId, 3> edge_;
-    std::vector<TetId> seeds_;
-    std::vector<TetId> ring_;
     std::vector<VertexId> inBall_;
     std::vector<TetId> created_;
     BoundarySplitCounts counts_;

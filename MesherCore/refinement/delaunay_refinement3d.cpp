@@ -191,11 +191,8 @@ private:
         return true;
     }
 
-    Attempt attempt(TetId tet)
+    Attempt attemptAt(TetId tet, const Vec3& point)
     {
-        const std::optional<Vec3> centre = criteria_.circumcentre(tet);
-        if (!centre) return Attempt::Impossible;
-        const Vec3 point = onGrid(*centre);
         const Cavity3d& conflicts = t_.delaunay->findConflicts(point, tet);
         const Encroached3d encroached = findEncroached(mesh_, conflicts, t_.delaunay->filter());
         if (encroached.segment[0].isValid() || encroached.facet.isValid()) return reject(encroached);
@@ -211,6 +208,18 @@ private:
         }
         insert(region, cavity.tets.size());
         return Attempt::Inserted;
+    }
+
+    /// The circumcentre of the tetrahedron; where that is lost in rounding, of its largest face, which is in conflict too.
+    Attempt attempt(TetId tet)
+    {
+        const std::optional<Vec3> centre = criteria_.circumcentre(tet);
+        const Attempt first = centre ? attemptAt(tet, onGrid(*centre)) : Attempt::Impossible;
+        if (first != Attempt::Impossible || !criteria_.isNearlyFlat(tet)) return first;
+        const std::optional<Vec3> ofFace = criteria_.centreOfLargestFace(tet);
+        if (!ofFace) return Attempt::Impossible;
+        ++result_.counts.flatTets;
+        return attemptAt(tet, onGrid(*ofFace));
     }
 
     void insert(RegionId region, std::size_t removedTets)
@@ -279,7 +288,7 @@ private:
             return false;
         const auto& ends = splitter_.mesh().segments[segment].node;
         const Vec3 along = mesh_.position(t_.vertexOf[ends[1]]) - mesh_.position(t_.vertexOf[ends[0]]);
-        segments_.push(segment, 0, length(along));
+        segments_.push(segment, 0, length(along) / t_.scale);
         return true;
     }
 
@@ -289,7 +298,7 @@ private:
             return false;
         const std::optional<ProtectingBall> ball = ballOf(facet);
         if (!ball) return false;
-        facets_.push(facet, 0, std::sqrt(ball->squaredRadius));
+        facets_.push(facet, 0, std::sqrt(ball->squaredRadius) / t_.scale);
         return true;
     }
 
@@ -439,18 +448,44 @@ private:
         for (unsigned k = 1; k < 3; ++k) {
             if (squaredSide(k) > squaredSide(longest)) longest = k;
         }
-        const SegmentId* segment =
-            t_.segmentOf.find(unorderedPair(corner[longest], corner[(longest + 1) % 3]));
-        if (segment == nullptr || !pushSegment(*segment)) return false;
+        const VertexId from = corner[longest];
+        const VertexId to = corner[(longest + 1) % 3];
+        // Once only, or two facets could wait for each other.
+        if (isRefused(deferredFacets_, facet.value)) return false;
+        refuse(deferredFacets_, facet.value);
+        const SegmentId* segment = t_.segmentOf.find(unorderedPair(from, to));
+        const bool isWaiting =
+            segment != nullptr ? pushSegment(*segment) : pushFacet(facetBehind(facet, from, to));
+        if (!isWaiting) return false;
         ++result_.counts.neighbourSplits;
         return pushFacet(facet);
+    }
+
+    /// The other facet at a side, which is no segment; invalid if there is none.
+    [[nodiscard]] FacetId facetBehind(FacetId facet, VertexId from, VertexId to)
+    {
+        const TetId at = mesh_.findEdge(from, to);
+        if (!at.isValid()) return {};
+        mesh_.collectEdgeRing(at, from, to, star_);
+        for (const TetId tet : star_) {
+            for (int face = 0; face < 4; ++face) {
+                if (!mesh_.isFaceConstrained({tet, face})) continue;
+                Face corners = mesh_.faceVertices({tet, face});
+                std::sort(corners.begin(), corners.end());
+                const FacetId* other = t_.facetOf.find(corners);
+                const bool isAtSide = std::count(corners.begin(), corners.end(), from) +
+                                          std::count(corners.begin(), corners.end(), to) ==
+                                      2;
+                if (isAtSide && other != nullptr && *other != facet) return *other;
+            }
+        }
+        return {};
     }
 
     void finishSplit(const BoundarySplit3d& split)
     {
         const VertexId v = split.vertex;
-        const auto [sizeCeiling, guardCeiling] = ceilings(split);
-        scale_.assign(v, t_.delaunay->neighboursOfCommitted(), sizeCeiling, guardCeiling);
+        scale_.assign(v, t_.delaunay->neighboursOfCommitted(), ceilingAt(split));
         scale_.gradeAgainFrom(v, lowered_);
         const SurfaceSplitResult& made = boundary_.made();
         for (const SegmentId half : made.halves) {
@@ -467,20 +502,18 @@ private:
         for (const VertexId w : lowered_) queueStar(w);
     }
 
-    /// Means of the scales of the vertices around, weighted by the inverse of their distance (thesis section 4.4). Between
+    /// Mean of the scales of the vertices around, weighted by the inverse of their distance (thesis section 4.4). Between
     /// the ends of a segment that is linear interpolation.
-    std::pair<double, double> ceilings(const BoundarySplit3d& split) const
+    [[nodiscard]] double ceilingAt(const BoundarySplit3d& split) const
     {
         double weights = 0.0;
         double sizes = 0.0;
-        double guards = 0.0;
         for (const VertexId w : split.surround) {
             const double weight = 1.0 / length(mesh_.position(w) - mesh_.position(split.vertex));
             weights += weight;
             sizes += weight * scale_.size(w);
-            guards += weight * scale_.guard(w);
         }
-        return {sizes / weights, guards / weights};
+        return sizes / weights;
     }
 
     void recount(const BoundarySplit3d&)
@@ -495,6 +528,7 @@ private:
 
     void collectLeft()
     {
+        guard_.collectPlaces(splitter_.mesh());
         for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) {
             const TetId tet(i);
             if (!isMeshed(tet)) continue;
@@ -508,9 +542,9 @@ private:
     {
         LeftTet3d left;
         left.tet = tet;
-        left.angle = guard_.blameFor(t_, splitter_.mesh(), tet);
         left.reason = LeftReason3d::Unfinished;
         if (isStopped_) return left;
+        left.angle = blameFor(tet);
         if (left.angle) {
             left.reason = LeftReason3d::SmallInputAngle;
         } else if (verdict.need == TetNeed::Nothing) {
@@ -521,6 +555,18 @@ private:
                 left.entity.index != EntityRef::kNone ? LeftReason3d::Boundary : LeftReason3d::Resolution;
         }
         return left;
+    }
+
+    [[nodiscard]] std::optional<SmallInputAngle> blameFor(TetId tet) const
+    {
+        constexpr double kReach = 2.0;  // in length scales
+        Vec3 centroid;
+        double scale = 0.0;
+        for (const VertexId v : mesh_.tet(tet).vertex) {
+            centroid = centroid + 0.25 * mesh_.position(v);
+            scale += 0.25 * scale_.guard(v);
+        }
+        return guard_.blameFor((1.0 / t_.scale) * centroid, kReach * scale / t_.scale);
     }
 
     [[nodiscard]] EntityRef boundaryInTheWay(TetId tet)
@@ -562,6 +608,7 @@ private:
     BucketQueue<TetId> qualities_;
     std::vector<char> refusedSegments_;
     std::vector<char> refusedFacets_;
+    std::vector<char> deferredFacets_;  ///< that have waited for a neighbour
     std::vector<VertexId> lowered_;
     std::vector<TetId> star_;
     std::uint64_t meshedTets_ = 0;

@@ -34,6 +34,7 @@ struct RefinementCounts3d
     std::uint64_t refusedFacets = 0;
     std::uint64_t neighbourSplits = 0;    ///< facets split in the place of one that could not be
     std::uint64_t abortedInsertions = 0;  ///< no cavity around the circumcentre was star-shaped
+    std::uint64_t flatTets = 0;           ///< so flat that the circumcentre of a face had to do
     std::uint64_t cavityRepairs = 0;      ///< tetrahedra taken out of cavities to make them star-shaped
     BoundarySplitCounts boundary;
 };

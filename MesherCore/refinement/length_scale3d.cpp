@@ -129,36 +129,36 @@ void LengthScale3d::setInitial()
     gradeSizes(graph, sizing_.grading, guard);
     if (!sizing_.usesLocalFeatureSize) gradeSizes(graph, sizing_.grading, size);
     guard_.clear();
+    guard_.resize(guard.size(), kNoSize);
     for (std::uint32_t i = 0; i < guard.size(); ++i) {
         if (!mesh_.isVertexAlive(VertexId(i))) continue;
         mesh_.setLengthScale(VertexId(i), sizing_.usesLocalFeatureSize ? guard[i] : size[i]);
-        if (!sizing_.usesLocalFeatureSize) setGuard(VertexId(i), guard[i]);
+        setGuard(VertexId(i), guard[i]);
     }
 }
 
 void LengthScale3d::setGuard(VertexId v, double value)
 {
-    if (guard_.size() <= v.value) guard_.resize(v.value + v.value / 4 + 16, kNoSize);
+    if (guard_.size() <= v.value) guard_.resize(v.value + v.value / 4u + 16u, kNoSize);
     guard_[v] = value;
 }
 
-void LengthScale3d::assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling,
-                           double guardCeiling)
+void LengthScale3d::assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling)
 {
     const Vec3 p = mesh_.position(v);
     const double wanted = wantedAt(p);
     const double slope = 1.0 / sizing_.grading;
     double newSize = std::min(wanted, sizeCeiling);
-    double newGuard = std::min(wanted, guardCeiling);
-    const bool hasGuard = !sizing_.usesLocalFeatureSize;
+    double guards = 0.0;
+    int count = 0;
     for (const VertexId w : neighbours) {
-        if (isGhost(w)) continue;
-        const double growth = slope * length(mesh_.position(w) - p);
-        newSize = std::min(newSize, size(w) + growth);
-        if (hasGuard) newGuard = std::min(newGuard, guard_[w] + growth);
+        if (isGhost(w) || guard_[w] == kNoSize) continue;
+        newSize = std::min(newSize, size(w) + slope * length(mesh_.position(w) - p));
+        guards += guard_[w];
+        ++count;
     }
     mesh_.setLengthScale(v, newSize);
-    if (hasGuard) setGuard(v, newGuard);
+    setGuard(v, count == 0 ? newSize : std::min(newSize, guards / count));
 }
 
 void LengthScale3d::gradeAgainFrom(VertexId v, std::vector<VertexId>& lowered)
@@ -175,11 +175,9 @@ void LengthScale3d::gradeAgainFrom(VertexId v, std::vector<VertexId>& lowered)
                 if (to == from) continue;
                 const double growth = slope * length(mesh_.position(to) - mesh_.position(from));
                 const double bound = size(from) + growth;
-                const double guardBound = guard(from) + growth;
-                const bool isHigh = size(to) > kSlack * bound || guard(to) > kSlack * guardBound;
-                if (!isHigh) continue;
-                mesh_.setLengthScale(to, std::min(size(to), bound));
-                if (!guard_.empty()) guard_[to] = std::min(guard_[to], guardBound);
+                if (size(to) <= kSlack * bound) continue;
+                mesh_.setLengthScale(to, bound);
+                guard_[to] = std::min(guard_[to], bound);
                 front_.push_back(to);
                 lowered.push_back(to);
             }

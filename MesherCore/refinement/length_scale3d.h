@@ -24,8 +24,9 @@ struct VolumeSizing
 };
 
 /// The length scales LS of the vertices: what edges at a vertex are to be long. They stand in the vertex records, in units
-/// of the tetrahedralization. Beside them stands a guard scale, which counts the local feature size in any case: no entity
-/// is refined for quality far below it.
+/// of the tetrahedralization. Beside them stands a guard scale: no entity is refined for quality far below it. It counts the
+/// local feature size in any case, and inside of a solid it follows its neighbours instead of growing with the distance
+/// from the boundary, which the tetrahedra need not do as fast as they may.
 /// Guarantees   size(v) >= guard(v) > 0; the initial ones do not depend on the numbering
 /// Reference    [gosselin] section 4.4, equations 4.2 and 4.3; graded at once instead of in the order of insertion
 class LengthScale3d
@@ -43,11 +44,10 @@ public:
     [[nodiscard]] bool isActive() const { return sizing_.isActive(); }
 
     [[nodiscard]] double size(VertexId v) const { return mesh_.lengthScale(v); }
-    [[nodiscard]] double guard(VertexId v) const { return guard_.empty() ? mesh_.lengthScale(v) : guard_[v]; }
+    [[nodiscard]] double guard(VertexId v) const { return guard_[v]; }
 
-    /// Equation 4.2 for a new vertex over its neighbours, the user's wish, and the ceilings.
-    void assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling = kNoSize,
-                double guardCeiling = kNoSize);
+    /// Equation 4.2 for a new vertex over its neighbours, the user's wish, and the ceiling; the guard as the neighbours' mean.
+    void assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling = kNoSize);
     /// Lowers the scales around a vertex as far as its own is too low for them; `lowered` receives those that changed.
     void gradeAgainFrom(VertexId v, std::vector<VertexId>& lowered);
 
@@ -59,7 +59,6 @@ private:
     ConstrainedTetrahedralization& tetrahedralization_;
     Triangulation3d& mesh_;
     VolumeSizing sizing_;
-    /// Only where it differs from the size.
     IdVector<VertexId, double> guard_;
     std::vector<TetId> star_;
     std::vector<VertexId> front_;

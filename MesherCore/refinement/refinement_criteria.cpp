@@ -162,6 +162,25 @@ bool RefinementCriteria3d::isSink(TetId tet) const
     return s.determinant > 0.0;
 }
 
+bool RefinementCriteria3d::isNearlyFlat(TetId tet) const
+{
+    const Shape s = shapeOf(tet);
+    double largest = 0.0;
+    for (unsigned i = 1; i < 4; ++i) largest = std::max(largest, squaredLength(s.corner[i] - s.corner[0]));
+    return s.determinant < 1e-8 * largest * std::sqrt(largest);
+}
+
+std::optional<Vec3> RefinementCriteria3d::centreOfLargestFace(TetId tet) const
+{
+    const Shape s = shapeOf(tet);
+    unsigned largest = 0;
+    for (unsigned i = 1; i < 4; ++i) {
+        if (squaredLength(s.normal[i]) > squaredLength(s.normal[largest])) largest = i;
+    }
+    return approximateCircumcenter(s.corner[(largest + 1) % 4], s.corner[(largest + 2) % 4],
+                                   s.corner[(largest + 3) % 4]);
+}
+
 bool RefinementCriteria3d::isTooLong(VertexId a, VertexId b) const
 {
     if (!scale_.isActive()) return false;

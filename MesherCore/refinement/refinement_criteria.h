@@ -58,6 +58,9 @@ public:
     [[nodiscard]] bool isBad(TetId tet) const;
     [[nodiscard]] bool isSink(TetId tet) const;
     [[nodiscard]] std::optional<Vec3> circumcentre(TetId tet) const;
+    /// So flat that rounding decides where its circumcentre comes out.
+    [[nodiscard]] bool isNearlyFlat(TetId tet) const;
+    [[nodiscard]] std::optional<Vec3> centreOfLargestFace(TetId tet) const;
 
     [[nodiscard]] bool isTooLong(VertexId a, VertexId b) const;
     [[nodiscard]] bool isTooLarge(const std::array<VertexId, 3>& facet) const;

@@ -119,19 +119,34 @@ void SmallAngleGuard::measureCorners(const SurfaceMesh& surface)
     }
 }
 
-std::optional<SmallInputAngle> SmallAngleGuard::blameFor(const ConstrainedTetrahedralization& t,
-                                                         const SurfaceMesh& surface, TetId tet) const
+void SmallAngleGuard::collectPlaces(const SurfaceMesh& surface)
 {
-    std::optional<SmallInputAngle> smallest;
-    for (const VertexId v : t.mesh().tet(tet).vertex) {
-        if (isGhost(v) || !t.nodeOf[v].isValid()) continue;
-        const EntityRef entity = surface.nodes[t.nodeOf[v]].entity;
+    places_.clear();
+    if (!hasAny()) return;
+    for (const MeshNode& node : surface.nodes) {
         const double* degrees = nullptr;
-        if (entity.dimension == 0) degrees = vertices_.find(entity.index);
-        if (entity.dimension == 1) degrees = edges_.find(entity.index);
-        if (degrees != nullptr && (!smallest || *degrees < smallest->degrees)) smallest = {entity, *degrees};
+        if (node.entity.dimension == 0) degrees = vertices_.find(node.entity.index);
+        if (node.entity.dimension == 1) degrees = edges_.find(node.entity.index);
+        if (degrees != nullptr) places_.push_back({node.position, {node.entity, *degrees}});
     }
-    return smallest;
+    std::stable_sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+        return isLexicographicallyLess(a.position, b.position);
+    });
+}
+
+std::optional<SmallInputAngle> SmallAngleGuard::blameFor(const Vec3& point, double reach) const
+{
+    std::optional<SmallInputAngle> nearest;
+    double nearestDistance = reach;
+    const auto first = std::lower_bound(places_.begin(), places_.end(), point.x - reach,
+                                        [](const Place& place, double x) { return place.position.x < x; });
+    for (auto place = first; place != places_.end() && place->position.x <= point.x + reach; ++place) {
+        const double distance = length(place->position - point);
+        if (distance > nearestDistance) continue;
+        nearestDistance = distance;
+        nearest = place->angle;
+    }
+    return nearest;
 }
 
 }  // namespace mesher

@@ -5,7 +5,7 @@
 #include "mesh/surface_mesh.h"
 
 #include <optional>
-#include <string>
+#include <vector>
 
 namespace mesher {
 
@@ -30,10 +30,11 @@ public:
 
     SmallAngleGuard(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface);
 
-    /// The smallest angle that a tetrahedron has a vertex on, if any.
-    [[nodiscard]] std::optional<SmallInputAngle>
-    blameFor(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface,
-             TetId tet) const;
+    /// Finds the nodes on small angles in the refined mesh; call before blameFor.
+    void collectPlaces(const SurfaceMesh& surface);
+    /// The angle nearest to a point within `reach`, model units, if any: refinement for an angle spreads about as far as the
+    /// length scale there.
+    [[nodiscard]] std::optional<SmallInputAngle> blameFor(const Vec3& point, double reach) const;
     [[nodiscard]] bool hasAny() const { return !edges_.empty() || !vertices_.empty(); }
 
 private:
@@ -42,6 +43,13 @@ private:
 
     IndexedMap<std::uint32_t, double> edges_;     ///< by model edge, degrees
     IndexedMap<std::uint32_t, double> vertices_;  ///< by model vertex, degrees
+
+    struct Place
+    {
+        Vec3 position;
+        SmallInputAngle angle;
+    };
+    std::vector<Place> places_;  ///< in lexicographic order
 };
 
 }  // namespace mesher

@@ -270,7 +270,8 @@ void addFacets(const SolidGeometry& geometry, SurfaceMesh& surface, ConstrainedT
                 faces = commonOf(faces, geometry.facesAt(surface.nodes[facet.node[k]].position));
             }
             if (faces.empty()) throw std::logic_error("a facet of the sample is on no face");
-            facet.face = BrepFaceId(faces.front());
+            // Three points of a rim are on the lid, the later face.
+            facet.face = BrepFaceId(faces.back());
             const FacetId id = surface.facets.push_back(facet);
             std::sort(v.begin(), v.end());
             t.facetOf.insert(v, id);
@@ -457,12 +458,13 @@ SampledSolid sampledCylinder(double radius, double height, std::uint32_t around,
         return faces;
     };
     const double spacing = 2.0 * kPi * radius / around;
-    const auto rows = static_cast<std::uint32_t>(std::max(1.0, std::round(height / (0.87 * spacing))));
+    // The hull has the rulings: only rows above each other make it a Delaunay surface.
+    const auto rows = static_cast<std::uint32_t>(std::max(1.0, std::round(height / spacing)));
     std::vector<Vec3> points;
     for (std::uint32_t row = 0; row <= rows; ++row) {
         const double z = row == rows ? height : height * row / rows;
         for (std::uint32_t i = 0; i < around; ++i) {
-            const double turn = 2.0 * kPi * (i + (row % 2 == 1 ? 0.5 : 0.0)) / around;
+            const double turn = 2.0 * kPi * i / around;
             points.push_back(onRound({std::cos(turn), std::sin(turn), z}));
         }
     }

@@ -100,17 +100,18 @@ int main(int count, char** words)
     const auto& c = result->counts;
     std::cout << "{\"tets\": " << result->tets << ", \"vertices\": " << result->vertices << ", \"stop\": \""
               << mesher::nameOf(result->stopReason) << "\", \"seconds\": " << seconds
-              << ", \"tets_per_second\": " << tets / seconds << ", \"dihedral\": [" << least << ", " << most
-              << "], \"outside_18_155\": [" << below18 << ", " << above155
+              << ", \"tets_per_second\": " << (seconds > 0.0 ? tets / seconds : 0.0) << ", \"dihedral\": ["
+              << least << ", " << most << "], \"outside_18_155\": [" << below18 << ", " << above155
               << "], \"volume_error\": " << volume / solid.volume - 1.0
-              << ", \"mean_edge_over_size\": " << edges / tets / size << ", \"sinks\": " << c.sinkInsertions
-              << ", \"size\": " << c.sizeInsertions << ", \"quality\": " << c.qualityInsertions
-              << ", \"segments\": " << c.segmentSplits << ", \"facets\": " << c.facetSplits
-              << ", \"rejected\": " << c.rejectedCentres << ", \"refused\": [" << c.refusedSegments << ", "
-              << c.refusedFacets << "], \"aborted\": " << c.abortedInsertions
-              << ", \"repairs\": " << c.cavityRepairs << ", \"neighbour\": " << c.neighbourSplits
-              << ", \"deleted\": " << c.boundary.deletedVertices << ", \"kept\": " << c.boundary.keptVertices
-              << ", \"least\": " << c.boundary.leastExtents << ", \"blocked\": " << c.boundary.blockedCavities
+              << ", \"mean_edge_over_size\": " << (size > 0.0 ? edges / tets / size : 0.0)
+              << ", \"sinks\": " << c.sinkInsertions << ", \"size\": " << c.sizeInsertions
+              << ", \"quality\": " << c.qualityInsertions << ", \"segments\": " << c.segmentSplits
+              << ", \"facets\": " << c.facetSplits << ", \"rejected\": " << c.rejectedCentres
+              << ", \"refused\": [" << c.refusedSegments << ", " << c.refusedFacets
+              << "], \"aborted\": " << c.abortedInsertions << ", \"repairs\": " << c.cavityRepairs
+              << ", \"neighbour\": " << c.neighbourSplits << ", \"deleted\": " << c.boundary.deletedVertices
+              << ", \"kept\": " << c.boundary.keptVertices << ", \"least\": " << c.boundary.leastExtents
+              << ", \"blocked\": " << c.boundary.blockedCavities
               << ", \"inconsistent\": " << c.boundary.inconsistentSplits << ", \"left\": {";
     bool isFirst = true;
     for (const auto& [reason, number] : reasons) {
