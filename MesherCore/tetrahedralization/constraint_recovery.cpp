@@ -17,7 +17,7 @@ ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints, const Te
       budget_(budget),
       result_(result),
       flips_(constraints.mesh()),
-      segments_(constraints, flips_),
+      segments_(constraints, flips_, options.flipDepth),
       facets_(constraints, flips_),
       splits_(constraints),
       maxInserted_(kInsertedBesides + static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
@@ -46,6 +46,7 @@ Result<void> ConstraintRecovery::run()
         if (!result_.failures.empty() || budget_.exhausted()) break;
     }
     failAll();
+    result_.tets.nodeOf.resize(constraints_.mesh().vertexLimit());
     result_.counts.recoveryFlips = flips_.flips();
     result_.stopReason =
         budget_.stopReason(result_.failures.empty() ? StopReason::Done : StopReason::CannotImprove);
@@ -84,7 +85,7 @@ Result<void> ConstraintRecovery::recoverEdges()
             continue;
         }
         // Splits made since may have helped.
-        const Result<bool> recovered = recoverEdge(edge, std::min(options_.flipDepth, 1));
+        const Result<bool> recovered = recoverEdge(edge, options_.flipDepth);
         if (!recovered) return recovered.error();
         if (*recovered || splitEdge(edge)) continue;
         const Vec3& a = constraints_.mesh().position(edge.first);
@@ -123,7 +124,7 @@ Result<bool> ConstraintRecovery::recoverEdge(const EdgeKey& edge, int depth)
 /// True if the vertex is none of the input's: then it was removed, or, if it is alive still, may become a node.
 bool ConstraintRecovery::clearVertex(VertexId vertex)
 {
-    if (result_.tets.nodeOf[vertex].isValid()) return false;
+    if (constraints_.nodeAt(vertex).isValid()) return false;
     result_.tets.delaunay->remove(vertex);
     return true;
 }

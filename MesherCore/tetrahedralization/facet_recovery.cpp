@@ -8,7 +8,7 @@ namespace mesher {
 
 namespace {
 
-constexpr std::uint32_t kTrialsPerDepth[] = {16, 400, 2500, 8000};
+constexpr std::uint32_t kTrialsPerDepth[] = {16, 60, 300, 1000};
 /// Tetrahedra that a pair of cavities may grow to.
 constexpr std::size_t kMaxCavity = 400;
 

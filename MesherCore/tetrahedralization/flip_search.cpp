@@ -34,10 +34,23 @@ void FlipSearch::apply(const Flip3d& flip)
     ++flips_;
 }
 
+void FlipSearch::replace(std::span<const TetId> before, std::span<const TetCorners> after,
+                         std::span<const VertexId> added)
+{
+    Step step;
+    for (const TetId tet : before) step.before.push_back(mesh_.tet(tet).vertex);
+    step.added.assign(added.begin(), added.end());
+    replacement_.replace(before, after);
+    step.created = replacement_.created();
+    log_.push_back(std::move(step));
+    ++flips_;
+}
+
 void FlipSearch::takeBackTo(std::size_t mark)
 {
     while (log_.size() > mark) {
         replacement_.replace(log_.back().created, log_.back().before);
+        for (const VertexId vertex : log_.back().added) mesh_.removeVertex(vertex);
         log_.pop_back();
         --flips_;
     }
