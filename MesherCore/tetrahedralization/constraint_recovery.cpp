@@ -10,8 +10,9 @@ constexpr std::uint64_t kInsertedBesides = 1000;
 
 }  // namespace
 
-ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints, const TetrahedralizationOptions& options,
-                                       Budget& budget, Tetrahedralization& result)
+ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints,
+                                       const TetrahedralizationOptions& options, Budget& budget,
+                                       Tetrahedralization& result)
     : constraints_(constraints),
       options_(options),
       budget_(budget),
@@ -20,7 +21,8 @@ ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints, const Te
       segments_(constraints, flips_, options.flipDepth),
       facets_(constraints, flips_),
       splits_(constraints),
-      maxInserted_(kInsertedBesides + static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
+      maxInserted_(kInsertedBesides +
+                   static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
       // Exact points may not be where they would help, so half of the allowance is kept for those that are.
       maxExact_(maxInserted_ / 2)
 {
@@ -90,7 +92,8 @@ Result<void> ConstraintRecovery::recoverEdges()
         if (*recovered || splitEdge(edge)) continue;
         const Vec3& a = constraints_.mesh().position(edge.first);
         const Vec3& b = constraints_.mesh().position(edge.second);
-        fail(constraints_.nameOfEdge(edge.first, edge.second), 0.5 * (a + b), "an edge could not be recovered");
+        fail(constraints_.nameOfEdge(edge.first, edge.second), 0.5 * (a + b),
+             "an edge could not be recovered");
     }
     return {};
 }
@@ -210,7 +213,8 @@ Result<bool> ConstraintRecovery::recoverFacet(FacetId facet, int depth, FacetEff
         case RecoveryStatus::Stuck: return false;
         case RecoveryStatus::VertexInWay: {
             const VertexId vertex = facets_.obstacle().vertex[0];
-            if (!clearVertex(vertex)) return intersection(constraints_.nameOfFacet(facet), facets_.obstacle());
+            if (!clearVertex(vertex))
+                return intersection(constraints_.nameOfFacet(facet), facets_.obstacle());
             if (constraints_.mesh().isVertexAlive(vertex)) {
                 splits_.splitFacetAt(facet, vertex);
                 ++counts.facetSteiner;
@@ -283,7 +287,8 @@ Error ConstraintRecovery::intersection(const std::string& name, const RecoveryOb
 
 void ConstraintRecovery::fail(const std::string& entity, const Vec3& kernelPoint, const std::string& what)
 {
-    result_.failures.push_back({ErrorCode::DegenerateInput, what, entity, constraints_.modelPosition(kernelPoint),
+    result_.failures.push_back({ErrorCode::DegenerateInput, what, entity,
+                                constraints_.modelPosition(kernelPoint),
                                 "make the surface mesh finer there"});
 }
 

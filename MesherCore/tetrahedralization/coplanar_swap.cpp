@@ -46,7 +46,8 @@ bool CoplanarSwap::swap(const std::array<VertexId, 2>& edge, VertexId a, VertexI
     const TetId start = mesh_.findEdge(edge[0], edge[1]);
     if (!start.isValid()) return false;
     mesh_.collectEdgeRing(start, edge[0], edge[1], ring_);
-    if (mesh_.isEdgeConstrained(start, kEdgeOfSlots[mesh_.slotOf(start, edge[0])][mesh_.slotOf(start, edge[1])]))
+    if (mesh_.isEdgeConstrained(start,
+                                kEdgeOfSlots[mesh_.slotOf(start, edge[0])][mesh_.slotOf(start, edge[1])]))
         return false;
     link_.clear();
     for (std::size_t i = 0; i < ring_.size(); ++i) {
@@ -86,7 +87,9 @@ bool CoplanarSwap::fillByRing(const std::vector<VertexId>& chain)
     const std::size_t n = chain.size();
     constexpr std::size_t kNone = ~std::size_t{0};
     std::vector<std::size_t> apex(n * n, kNone);
-    const auto isSolved = [&](std::size_t i, std::size_t j) { return j == i + 1 || apex[i * n + j] != kNone; };
+    const auto isSolved = [&](std::size_t i, std::size_t j) {
+        return j == i + 1 || apex[i * n + j] != kNone;
+    };
     for (std::size_t length = 2; length < n; ++length) {
         for (std::size_t i = 0; i + length < n; ++i) {
             const std::size_t j = i + length;

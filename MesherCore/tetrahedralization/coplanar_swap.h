@@ -34,7 +34,7 @@ private:
     CavityRetriangulation cavities_;
     std::array<VertexId, 2> edge_;
     std::vector<TetId> ring_;
-    std::vector<VertexId> link_;  ///< link_[i] and link_[i + 1] are in ring_[i]
+    std::vector<VertexId> link_;           ///< link_[i] and link_[i + 1] are in ring_[i]
     std::array<std::size_t, 2> corner_{};  ///< places in the link of the quadrilateral's other corners
     std::vector<TetCorners> after_;
     std::vector<VertexId> added_;

@@ -33,7 +33,8 @@ public:
     bool removeEdge(VertexId a, VertexId b, int depth, const TetMeasure& measure);
 
     /// Any other replacement, with the vertices that were added for it: these are removed if it is taken back.
-    void replace(std::span<const TetId> before, std::span<const TetCorners> after, std::span<const VertexId> added);
+    void replace(std::span<const TetId> before, std::span<const TetCorners> after,
+                 std::span<const VertexId> added);
 
     /// Flips made and not taken back.
     [[nodiscard]] std::uint64_t flips() const { return flips_; }

@@ -109,7 +109,8 @@ bool SegmentRecovery::tryAt(const EdgeCrossing& crossing, VertexId a, VertexId b
     };
     const std::size_t mark = flips_.mark();
     if (crossing.kind == EdgeCrossing::Kind::Edge) {
-        if (flips_.removeEdge(crossing.vertex[0], crossing.vertex[1], depth, measure) && lessens(a, b, mark, limit))
+        if (flips_.removeEdge(crossing.vertex[0], crossing.vertex[1], depth, measure) &&
+            lessens(a, b, mark, limit))
             return true;
         // The last resort before a vertex on the edge itself.
         return depth == maxDepth_ && swap_.swap({crossing.vertex[0], crossing.vertex[1]}, a, b) &&

@@ -169,7 +169,8 @@ void SurfaceConstraints::release(const SurfaceSplit& split)
             const VertexId a = corner[k];
             const VertexId b = corner[(k + 1) % 3];
             const std::vector<FacetId> facets = facetsAt(a, b);
-            if (!segmentAt(a, b).isValid() && std::all_of(facets.begin(), facets.end(), isRemoved)) unlock(a, b);
+            if (!segmentAt(a, b).isValid() && std::all_of(facets.begin(), facets.end(), isRemoved))
+                unlock(a, b);
         }
     }
 }

@@ -46,7 +46,8 @@ void writePoly(const SurfaceMesh& mesh, const char* path)
 }
 
 /// Turned planar faces are planar no more, by the last bit, and facets of theirs may then cross: not a fault.
-std::string tryRound(std::uint64_t seed, bool isVerbose, const TetrahedralizationOptions& options, Totals& totals, bool& isRefused)
+std::string tryRound(std::uint64_t seed, bool isVerbose, const TetrahedralizationOptions& options,
+                     Totals& totals, bool& isRefused)
 {
     std::string name;
     test::SampleSurface sample = test::randomSurface(seed, name);
@@ -72,7 +73,8 @@ std::string tryRound(std::uint64_t seed, bool isVerbose, const Tetrahedralizatio
     totals.withNonDelaunay += counts.nonDelaunayFaces > 0 ? 1 : 0;
     totals.withSteiner += counts.edgeSteiner + counts.facetSteiner + counts.freeVerticesLeft > 0 ? 1 : 0;
     if (isVerbose) {
-        std::printf("seed %llu %s: %u nodes, missing %u edges %u facets, flips %u %u, cavity %u, star %u, Steiner %u %u, "
+        std::printf("seed %llu %s: %u nodes, missing %u edges %u facets, flips %u %u, cavity %u, star %u, "
+                    "Steiner %u %u, "
                     "left %u, non-Delaunay %llu\n",
                     static_cast<unsigned long long>(seed), name.c_str(), counts.nodes, counts.missingEdges,
                     counts.missingFacets, counts.edgesByFlips, counts.facetsByFlips, counts.facetsByCavity,
@@ -93,17 +95,19 @@ int run(std::uint64_t seed, std::uint64_t rounds, bool isVerbose, const Tetrahed
         ++failures;
         std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed + round), problem.c_str());
     }
-    std::printf("%llu rounds, %llu failed; %llu nodes, missing edges %llu, facets %llu; Steiner points on the surface %llu, "
-                "stars %llu, left inside %llu; in %llu rounds; faces not Delaunay %llu in %llu rounds; continue with "
-                "--seed %llu\n",
-                static_cast<unsigned long long>(rounds), static_cast<unsigned long long>(failures),
-                static_cast<unsigned long long>(totals.nodes), static_cast<unsigned long long>(totals.missingEdges),
-                static_cast<unsigned long long>(totals.missingFacets), static_cast<unsigned long long>(totals.steiner),
-                static_cast<unsigned long long>(totals.stars), static_cast<unsigned long long>(totals.left),
-                static_cast<unsigned long long>(totals.withSteiner),
-                static_cast<unsigned long long>(totals.nonDelaunay),
-                static_cast<unsigned long long>(totals.withNonDelaunay),
-                static_cast<unsigned long long>(seed + rounds));
+    std::printf(
+        "%llu rounds, %llu failed; %llu nodes, missing edges %llu, facets %llu; Steiner points on the "
+        "surface %llu, "
+        "stars %llu, left inside %llu; in %llu rounds; faces not Delaunay %llu in %llu rounds; continue with "
+        "--seed %llu\n",
+        static_cast<unsigned long long>(rounds), static_cast<unsigned long long>(failures),
+        static_cast<unsigned long long>(totals.nodes), static_cast<unsigned long long>(totals.missingEdges),
+        static_cast<unsigned long long>(totals.missingFacets),
+        static_cast<unsigned long long>(totals.steiner), static_cast<unsigned long long>(totals.stars),
+        static_cast<unsigned long long>(totals.left), static_cast<unsigned long long>(totals.withSteiner),
+        static_cast<unsigned long long>(totals.nonDelaunay),
+        static_cast<unsigned long long>(totals.withNonDelaunay),
+        static_cast<unsigned long long>(seed + rounds));
     return failures == 0 ? 0 : 1;
 }
 
@@ -130,7 +134,9 @@ int main(int argc, char** argv)
         } else if (std::strcmp(argv[i], "--depth") == 0 && i + 1 < argc) {
             options.flipDepth = std::atoi(argv[++i]);
         } else {
-            std::fprintf(stderr, "usage: recovery_fuzz [--seed S] [--rounds N] [--depth D] [--verbose] [--poly FILE]\n");
+            std::fprintf(
+                stderr,
+                "usage: recovery_fuzz [--seed S] [--rounds N] [--depth D] [--verbose] [--poly FILE]\n");
             return 2;
         }
     }
