@@ -11,7 +11,7 @@ namespace mesher {
 namespace {
 
 /// Tetrahedra that the hole of a vertex may grow to.
-constexpr std::size_t kMaxHole = 100;
+constexpr std::size_t kMaxHole = 120;
 /// A removal may make way for another.
 constexpr int kPasses = 3;
 
@@ -27,12 +27,14 @@ public:
     {
         FreeVertexRemoval result;
         std::vector<VertexId> free = listFree();
+        const std::size_t all = free.size();
+        std::erase_if(free, [&](VertexId v) { return tets_.delaunay->remove(v) == RemovalStatus::Removed; });
         for (int pass = 0; pass < kPasses && !free.empty(); ++pass) {
             const std::size_t before = free.size();
             std::erase_if(free, [&](VertexId vertex) { return remove(vertex); });
-            result.removed += static_cast<std::uint32_t>(before - free.size());
             if (free.size() == before) break;
         }
+        result.removed = static_cast<std::uint32_t>(all - free.size());
         result.left = static_cast<std::uint32_t>(free.size());
         return result;
     }
@@ -165,6 +167,8 @@ private:
     /// Moves the vertex into a neighbour that sees all of the hole.
     bool contract(VertexId vertex)
     {
+        mesh_.collectStar(vertex, hole_);
+        if (hole_.size() > kMaxHole) return false;
         for (const VertexId target : neighboursOf(vertex)) {
             if (!fillFrom(vertex, target)) continue;
             replacement_.replace(hole_, filling_);
