@@ -71,7 +71,8 @@ private:
             const TetId tet = mesh_.findEdge(a, b);
             if (!tet.isValid()) {
                 report_.add(nameOfSegment(SegmentId(i)) + " is no edge");
-            } else if (!mesh_.isEdgeConstrained(tet, kEdgeOfSlots[mesh_.slotOf(tet, a)][mesh_.slotOf(tet, b)])) {
+            } else if (!mesh_.isEdgeConstrained(tet,
+                                                kEdgeOfSlots[mesh_.slotOf(tet, a)][mesh_.slotOf(tet, b)])) {
                 report_.add(nameOfSegment(SegmentId(i)) + " is not constrained");
             }
         }
@@ -95,8 +96,7 @@ private:
             }
             std::sort(corner.begin(), corner.end());
             const FacetId* tag = tets_.facetOf.find(corner);
-            if (tag == nullptr || *tag != FacetId(i))
-                report_.add(nameOfFacet(FacetId(i)) + " is not mapped");
+            if (tag == nullptr || *tag != FacetId(i)) report_.add(nameOfFacet(FacetId(i)) + " is not mapped");
         }
         if (tets_.facetOf.size() != alive) report_.add("the map of the facets has others besides");
     }
@@ -108,8 +108,8 @@ private:
             if (!mesh_.isAlive(tet) || (mesh_.flags(tet) & tet_flag::kConstraints) == 0) continue;
             for (int edge = 0; edge < 6; ++edge) {
                 if (!mesh_.isEdgeConstrained(tet, edge)) continue;
-                const auto key =
-                    unorderedPair(mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]));
+                const auto key = unorderedPair(mesh_.vertex(tet, kEdgeSlots[edge][0]),
+                                               mesh_.vertex(tet, kEdgeSlots[edge][1]));
                 if (!tets_.segmentOf.contains(key)) report_.add("a constrained edge is no segment");
             }
             for (int face = 0; face < 4; ++face) {
@@ -171,8 +171,9 @@ CheckReport checkRegions(const ConstrainedTetrahedralization& tets, const Surfac
                 report.add("a solid reaches the hull");
             continue;
         }
-        const double volume = sixfoldVolume(mesh.position(mesh.vertex(tet, 0)), mesh.position(mesh.vertex(tet, 1)),
-                                            mesh.position(mesh.vertex(tet, 2)), mesh.position(mesh.vertex(tet, 3)));
+        const double volume =
+            sixfoldVolume(mesh.position(mesh.vertex(tet, 0)), mesh.position(mesh.vertex(tet, 1)),
+                          mesh.position(mesh.vertex(tet, 2)), mesh.position(mesh.vertex(tet, 3)));
         volumes.ofTets[region.value] += volume;
         volumes.magnitude[region.value] += std::abs(volume);
     }
@@ -180,8 +181,8 @@ CheckReport checkRegions(const ConstrainedTetrahedralization& tets, const Surfac
         const SurfaceFacet& facet = surface.facets[FacetId(i)];
         if (!facet.isAlive()) continue;
         const auto corner = [&](unsigned k) { return tets.vertexOf[facet.node[k]]; };
-        const double cone =
-            sixfoldVolume(origin, mesh.position(corner(0)), mesh.position(corner(1)), mesh.position(corner(2)));
+        const double cone = sixfoldVolume(origin, mesh.position(corner(0)), mesh.position(corner(1)),
+                                          mesh.position(corner(2)));
         for (unsigned side = 0; side < 2; ++side) {
             const RegionId region = sides[facet.face][side];
             // The facet looks into its first region, so out of its second.
@@ -195,9 +196,9 @@ CheckReport checkRegions(const ConstrainedTetrahedralization& tets, const Surfac
         }
         for (const TetFace sideFace : {face, mesh.neighbour(face)}) {
             const VertexId apex = mesh.vertex(sideFace.tet(), sideFace.face());
-            const bool isFirst = !isGhost(apex) && orient3d(mesh.position(corner(0)), mesh.position(corner(1)),
-                                                            mesh.position(corner(2)),
-                                                            mesh.position(apex)) == Sign::Positive;
+            const bool isFirst =
+                !isGhost(apex) && orient3d(mesh.position(corner(0)), mesh.position(corner(1)),
+                                           mesh.position(corner(2)), mesh.position(apex)) == Sign::Positive;
             if (mesh.region(sideFace.tet()) != sides[facet.face][isFirst ? 0 : 1])
                 report.add(nameOfFacet(FacetId(i)) + " has another region beside it than its face");
         }
@@ -209,15 +210,17 @@ CheckReport checkRegions(const ConstrainedTetrahedralization& tets, const Surfac
     return report;
 }
 
-std::uint64_t countNonDelaunayFaces(const Triangulation3d& mesh)
+std::uint64_t countNonDelaunayFaces(const Triangulation3d& mesh, DelaunayPart part)
 {
     std::uint64_t count = 0;
     for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
         const TetId tet(i);
         if (!mesh.isAlive(tet) || mesh.isGhostTet(tet)) continue;
+        if (part == DelaunayPart::Inside && mesh.region(tet) == kExteriorRegion) continue;
         for (int face = 0; face < 4; ++face) {
             const TetFace other = mesh.neighbour(tet, face);
-            if (other.tet() < tet || mesh.isGhostTet(other.tet()) || mesh.isFaceConstrained({tet, face})) continue;
+            if (other.tet() < tet || mesh.isGhostTet(other.tet()) || mesh.isFaceConstrained({tet, face}))
+                continue;
             const auto& v = mesh.tet(tet).vertex;
             if (insphere(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]), mesh.position(v[3]),
                          mesh.position(mesh.vertex(other.tet(), other.face()))) == Sign::Positive) {

@@ -18,8 +18,14 @@ CheckReport checkConstraints(const ConstrainedTetrahedralization& tets, const Su
 CheckReport checkRegions(const ConstrainedTetrahedralization& tets, const SurfaceMesh& surface,
                          const RegionSides& sides);
 
+enum class DelaunayPart : std::uint8_t
+{
+    Everywhere,
+    Inside  ///< of the solids: of what is kept in the end
+};
+
 /// Unconstrained faces with the vertex behind strictly inside of the sphere of the tetrahedron before. None in a constrained
 /// Delaunay tetrahedralization; cospherical points may stand in either way. Cost: linear.
-std::uint64_t countNonDelaunayFaces(const Triangulation3d& mesh);
+std::uint64_t countNonDelaunayFaces(const Triangulation3d& mesh, DelaunayPart part);
 
 }  // namespace mesher

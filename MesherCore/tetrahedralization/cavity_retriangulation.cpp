@@ -72,9 +72,9 @@ bool CavityRetriangulation::fillDelaunay(const CavityShell& shell, std::span<con
     const std::size_t start = filling.size();
     if (!flood(shell, filling)) return false;
     for (const VertexId inside : insideVertices) {
-        const bool isUsed =
-            std::any_of(filling.begin() + static_cast<std::ptrdiff_t>(start), filling.end(),
-                        [&](const TetCorners& tet) { return std::find(tet.begin(), tet.end(), inside) != tet.end(); });
+        const bool isUsed = std::any_of(
+            filling.begin() + static_cast<std::ptrdiff_t>(start), filling.end(),
+            [&](const TetCorners& tet) { return std::find(tet.begin(), tet.end(), inside) != tet.end(); });
         if (!isUsed) return false;
     }
     return true;

@@ -1,6 +1,5 @@
 #include "tetrahedralization/constrained_delaunay3d.h"
 
-#include "delaunay/constrained_check.h"
 #include "delaunay/flips3d.h"
 #include "predicates/insphere.h"
 #include "predicates/orient3d.h"
@@ -41,7 +40,6 @@ public:
         do {
             flipUntilStuck();
         } while (fillStuckOnes());
-        counts_.nonDelaunayFaces = countNonDelaunayFaces(mesh_);
         return counts_;
     }
 
@@ -60,7 +58,8 @@ private:
     [[nodiscard]] bool isNotDelaunay(TetFace face) const
     {
         const TetFace other = mesh_.neighbour(face);
-        if (mesh_.isGhostTet(face.tet()) || mesh_.isGhostTet(other.tet()) || mesh_.isFaceConstrained(face)) return false;
+        if (mesh_.isGhostTet(face.tet()) || mesh_.isGhostTet(other.tet()) || mesh_.isFaceConstrained(face))
+            return false;
         const auto& v = mesh_.tet(face.tet()).vertex;
         return insphere(filter_, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]),
                         mesh_.position(v[3]),
@@ -139,7 +138,9 @@ private:
             auto flip = evaluateFlip44(mesh_, tet, edge, diagonal);
             if (!flip || !flip->constrainedFaces.empty()) continue;
             const TetCorners& corners = flip->after.front();
-            const auto has = [&](VertexId v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); };
+            const auto has = [&](VertexId v) {
+                return std::find(corners.begin(), corners.end(), v) != corners.end();
+            };
             if (has(above) && has(below)) return flip;
         }
         return {};
@@ -184,7 +185,8 @@ private:
         for (const auto& key : cavities_.missing()) {
             const TetFace outer = shell.faces().at(key).outer;
             if (mesh_.isFaceConstrained(outer) || mesh_.isGhostTet(outer.tet())) return false;
-            if (std::find(tets_.begin(), tets_.end(), outer.tet()) == tets_.end()) tets_.push_back(outer.tet());
+            if (std::find(tets_.begin(), tets_.end(), outer.tet()) == tets_.end())
+                tets_.push_back(outer.tet());
         }
         return tets_.size() <= kMaxCavity;
     }
@@ -223,10 +225,11 @@ private:
                 if (!mesh_.isEdgeConstrained(tet, edge)) continue;
                 const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
                 const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
-                const bool isKept = std::any_of(filling_.begin(), filling_.end(), [&](const TetCorners& corners) {
-                    return std::find(corners.begin(), corners.end(), a) != corners.end() &&
-                           std::find(corners.begin(), corners.end(), b) != corners.end();
-                });
+                const bool isKept =
+                    std::any_of(filling_.begin(), filling_.end(), [&](const TetCorners& corners) {
+                        return std::find(corners.begin(), corners.end(), a) != corners.end() &&
+                               std::find(corners.begin(), corners.end(), b) != corners.end();
+                    });
                 if (!isKept) return false;
             }
         }

@@ -11,11 +11,11 @@ struct ConstrainedDelaunayCounts
 {
     std::uint64_t flips = 0;
     std::uint32_t cavities = 0;
-    std::uint64_t nonDelaunayFaces = 0;
 };
 
 /// Makes each unconstrained face locally Delaunay: by flips from a queue of faces, and where these are stuck by filling the
-/// tetrahedra around anew. What remains is counted; there may be no constrained Delaunay tetrahedralization.
+/// tetrahedra around anew. What is stuck after that stays: there need not be a
+/// constrained Delaunay tetrahedralization.
 /// Guarantees   constraints stay
 /// Terminates   always: each change lowers the lifted surface of the tetrahedra
 /// Reference    [lawson1977] [joe1991], [gosselin] §3.3.3 "Obtaining a CDT"

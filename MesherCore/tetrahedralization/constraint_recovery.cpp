@@ -10,17 +10,19 @@ constexpr std::uint64_t kInsertedBesides = 1000;
 
 }  // namespace
 
-ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints, const TetrahedralizationOptions& options,
-                                       Budget& budget, Tetrahedralization& result)
+ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints,
+                                       const TetrahedralizationOptions& options, Budget& budget,
+                                       Tetrahedralization& result)
     : constraints_(constraints),
       options_(options),
       budget_(budget),
       result_(result),
       flips_(constraints.mesh()),
-      segments_(constraints, flips_),
+      segments_(constraints, flips_, options.flipDepth),
       facets_(constraints, flips_),
       splits_(constraints),
-      maxInserted_(kInsertedBesides + static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
+      maxInserted_(kInsertedBesides +
+                   static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
       // Exact points may not be where they would help, so half of the allowance is kept for those that are.
       maxExact_(maxInserted_ / 2)
 {
@@ -46,6 +48,7 @@ Result<void> ConstraintRecovery::run()
         if (!result_.failures.empty() || budget_.exhausted()) break;
     }
     failAll();
+    result_.tets.nodeOf.resize(constraints_.mesh().vertexLimit());
     result_.counts.recoveryFlips = flips_.flips();
     result_.stopReason =
         budget_.stopReason(result_.failures.empty() ? StopReason::Done : StopReason::CannotImprove);
@@ -84,12 +87,13 @@ Result<void> ConstraintRecovery::recoverEdges()
             continue;
         }
         // Splits made since may have helped.
-        const Result<bool> recovered = recoverEdge(edge, std::min(options_.flipDepth, 1));
+        const Result<bool> recovered = recoverEdge(edge, options_.flipDepth);
         if (!recovered) return recovered.error();
         if (*recovered || splitEdge(edge)) continue;
         const Vec3& a = constraints_.mesh().position(edge.first);
         const Vec3& b = constraints_.mesh().position(edge.second);
-        fail(constraints_.nameOfEdge(edge.first, edge.second), 0.5 * (a + b), "an edge could not be recovered");
+        fail(constraints_.nameOfEdge(edge.first, edge.second), 0.5 * (a + b),
+             "an edge could not be recovered");
     }
     return {};
 }
@@ -123,7 +127,7 @@ Result<bool> ConstraintRecovery::recoverEdge(const EdgeKey& edge, int depth)
 /// True if the vertex is none of the input's: then it was removed, or, if it is alive still, may become a node.
 bool ConstraintRecovery::clearVertex(VertexId vertex)
 {
-    if (result_.tets.nodeOf[vertex].isValid()) return false;
+    if (constraints_.nodeAt(vertex).isValid()) return false;
     result_.tets.delaunay->remove(vertex);
     return true;
 }
@@ -209,7 +213,8 @@ Result<bool> ConstraintRecovery::recoverFacet(FacetId facet, int depth, FacetEff
         case RecoveryStatus::Stuck: return false;
         case RecoveryStatus::VertexInWay: {
             const VertexId vertex = facets_.obstacle().vertex[0];
-            if (!clearVertex(vertex)) return intersection(constraints_.nameOfFacet(facet), facets_.obstacle());
+            if (!clearVertex(vertex))
+                return intersection(constraints_.nameOfFacet(facet), facets_.obstacle());
             if (constraints_.mesh().isVertexAlive(vertex)) {
                 splits_.splitFacetAt(facet, vertex);
                 ++counts.facetSteiner;
@@ -282,7 +287,8 @@ Error ConstraintRecovery::intersection(const std::string& name, const RecoveryOb
 
 void ConstraintRecovery::fail(const std::string& entity, const Vec3& kernelPoint, const std::string& what)
 {
-    result_.failures.push_back({ErrorCode::DegenerateInput, what, entity, constraints_.modelPosition(kernelPoint),
+    result_.failures.push_back({ErrorCode::DegenerateInput, what, entity,
+                                constraints_.modelPosition(kernelPoint),
                                 "make the surface mesh finer there"});
 }
 

@@ -14,8 +14,8 @@ namespace mesher {
 class ConstraintRecovery
 {
 public:
-    ConstraintRecovery(SurfaceConstraints& constraints, const TetrahedralizationOptions& options, Budget& budget,
-                       Tetrahedralization& result);
+    ConstraintRecovery(SurfaceConstraints& constraints, const TetrahedralizationOptions& options,
+                       Budget& budget, Tetrahedralization& result);
 
     Result<void> run();
 

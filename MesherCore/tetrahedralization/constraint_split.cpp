@@ -63,8 +63,8 @@ SurfaceSplit ConstraintSplit::describeEdgeSplit(VertexId a, VertexId b, const Ve
     }
     if (!split.segment.isValid()) return split;
     const SurfaceSegment& segment = surface.segments[split.segment];
-    const double t = fractionAlong(surface.nodes[segment.node[0]].position, surface.nodes[segment.node[1]].position,
-                                   split.node.position);
+    const double t = fractionAlong(surface.nodes[segment.node[0]].position,
+                                   surface.nodes[segment.node[1]].position, split.node.position);
     const double parameter = (1.0 - t) * segment.parameter[0] + t * segment.parameter[1];
     split.node.entity = {1, segment.edge.value};
     split.node.parameters = {parameter, 0.0};
@@ -107,15 +107,18 @@ VertexId ConstraintSplit::insertStar(const Vec3& point)
     for (const TetId tet : tets_) {
         if (mesh.isGhostTet(tet)) return {};
         for (int face = 0; face < 4; ++face) {
-            if (std::find(tets_.begin(), tets_.end(), mesh.neighbour(tet, face).tet()) != tets_.end()) continue;
+            if (std::find(tets_.begin(), tets_.end(), mesh.neighbour(tet, face).tet()) != tets_.end())
+                continue;
             const auto [a, b, c] = mesh.faceVertices({tet, face});
-            if (orient3d(mesh.position(a), mesh.position(b), mesh.position(c), point) != Sign::Positive) return {};
+            if (orient3d(mesh.position(a), mesh.position(b), mesh.position(c), point) != Sign::Positive)
+                return {};
             star_.push_back({a, b, c, kGhostVertex});
         }
     }
     constraints_.tets().delaunay->expectPointsIn({point, point});
     const VertexId vertex = mesh.addVertex(point);
-    constraints_.tets().nodeOf.resize(std::max<std::size_t>(constraints_.tets().nodeOf.size(), mesh.vertexLimit()));
+    constraints_.tets().nodeOf.resize(
+        std::max<std::size_t>(constraints_.tets().nodeOf.size(), mesh.vertexLimit()));
     for (TetCorners& corners : star_) corners[3] = vertex;
     replacement_.replace(tets_, star_);
     return vertex;
@@ -134,7 +137,8 @@ bool ConstraintSplit::insertAndMake(const SurfaceSplit& split)
                             inserted->status == InsertionStatus::NotStarShaped)) {
         const Location3d& at = inserted->location;
         tets_.assign(1, at.tet);
-        if (at.kind == Location3d::Kind::Face) tets_.push_back(tets.mesh().neighbour({at.tet, at.index}).tet());
+        if (at.kind == Location3d::Kind::Face)
+            tets_.push_back(tets.mesh().neighbour({at.tet, at.index}).tet());
         if (at.kind == Location3d::Kind::Edge) {
             tets.mesh().collectEdgeRing(at.tet, tets.mesh().vertex(at.tet, kEdgeSlots[at.index][0]),
                                         tets.mesh().vertex(at.tet, kEdgeSlots[at.index][1]), tets_);
@@ -208,7 +212,8 @@ bool ConstraintSplit::splitFacetAtCrossing(FacetId facet, const FacetCrossing& c
 {
     Triangulation3d& mesh = constraints_.mesh();
     const auto corner = constraints_.cornersOf(facet);
-    const Vec3 centre = (1.0 / 3.0) * (mesh.position(corner[0]) + mesh.position(corner[1]) + mesh.position(corner[2]));
+    const Vec3 centre =
+        (1.0 / 3.0) * (mesh.position(corner[0]) + mesh.position(corner[1]) + mesh.position(corner[2]));
     std::vector<std::pair<double, Vec3>> points;
     std::vector<std::size_t> order;
     for (const auto& edge : crossing.edges) {

@@ -53,6 +53,7 @@ private:
 };
 
 /// The point where the line from `a` to `b` passes the crossing, rounded.
-[[nodiscard]] Vec3 crossingPoint(const Triangulation3d& mesh, VertexId a, VertexId b, const EdgeCrossing& crossing);
+[[nodiscard]] Vec3 crossingPoint(const Triangulation3d& mesh, VertexId a, VertexId b,
+                                 const EdgeCrossing& crossing);
 
 }  // namespace mesher

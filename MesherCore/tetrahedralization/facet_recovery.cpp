@@ -8,13 +8,14 @@ namespace mesher {
 
 namespace {
 
-constexpr std::uint32_t kTrialsPerDepth[] = {16, 400, 2500, 8000};
+constexpr std::uint32_t kTrialsPerDepth[] = {16, 60, 300, 1000};
 /// Tetrahedra that a pair of cavities may grow to.
 constexpr std::size_t kMaxCavity = 400;
 
 bool isSameEdge(const TetCorners& tet, VertexId a, VertexId b)
 {
-    return std::find(tet.begin(), tet.end(), a) != tet.end() && std::find(tet.begin(), tet.end(), b) != tet.end();
+    return std::find(tet.begin(), tet.end(), a) != tet.end() &&
+           std::find(tet.begin(), tet.end(), b) != tet.end();
 }
 
 }  // namespace
@@ -74,7 +75,8 @@ RecoveryStatus FacetRecovery::recover(FacetId facet, int depth, FacetEffort effo
 bool FacetRecovery::removeCrossingEdges(int depth)
 {
     const Triangulation3d& mesh = constraints_.mesh();
-    const std::array<Vec3, 3> plane{mesh.position(facet_[0]), mesh.position(facet_[1]), mesh.position(facet_[2])};
+    const std::array<Vec3, 3> plane{mesh.position(facet_[0]), mesh.position(facet_[1]),
+                                    mesh.position(facet_[2])};
     const TetMeasure measure = [&](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
         bool isAbove = false;
         bool isBelow = false;
@@ -168,8 +170,7 @@ bool FacetRecovery::enlarge(Side& side, const Side& other)
             return std::find(face.first.begin(), face.first.end(), apex) != face.first.end();
         };
         const bool isFacetCorner = std::find(facet_.begin(), facet_.end(), apex) != facet_.end();
-        if (!isFacetCorner &&
-            std::any_of(other.shell.faces().begin(), other.shell.faces().end(), hasApex)) {
+        if (!isFacetCorner && std::any_of(other.shell.faces().begin(), other.shell.faces().end(), hasApex)) {
             return false;
         }
         std::erase(side.insideVertices, apex);
@@ -189,8 +190,8 @@ bool FacetRecovery::enlarge(Side& side, const Side& other)
             });
         };
         for (const VertexId v : mesh.tet(outer.tet()).vertex) {
-            const bool isKnown =
-                std::find(side.insideVertices.begin(), side.insideVertices.end(), v) != side.insideVertices.end();
+            const bool isKnown = std::find(side.insideVertices.begin(), side.insideVertices.end(), v) !=
+                                 side.insideVertices.end();
             if (!isKnown && !isOnShell(v)) side.insideVertices.push_back(v);
         }
     }

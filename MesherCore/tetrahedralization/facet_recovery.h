@@ -81,8 +81,8 @@ private:
     RecoveryObstacle obstacle_;
     FacetMethod method_ = FacetMethod::Present;
     std::uint32_t addedVertices_ = 0;
-    std::array<Side, 2> sides_;  ///< below and above
-    std::vector<TetId> tets_;    ///< those that both cavities are made of
+    std::array<Side, 2> sides_;                      ///< below and above
+    std::vector<TetId> tets_;                        ///< those that both cavities are made of
     std::vector<CavityShell::Corners> innerFacets_;  ///< constrained faces between those
 };
 

@@ -19,8 +19,8 @@ double flatness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
     const Vec3 u = b - a;
     const Vec3 v = c - a;
     const Vec3 w = d - a;
-    const double longest = std::max({squaredLength(u), squaredLength(v), squaredLength(w), squaredLength(c - b),
-                                     squaredLength(d - b), squaredLength(d - c)});
+    const double longest = std::max({squaredLength(u), squaredLength(v), squaredLength(w),
+                                     squaredLength(c - b), squaredLength(d - b), squaredLength(d - c)});
     return dot(cross(u, v), w) / (longest * std::sqrt(longest));
 }
 
@@ -34,10 +34,23 @@ void FlipSearch::apply(const Flip3d& flip)
     ++flips_;
 }
 
+void FlipSearch::replace(std::span<const TetId> before, std::span<const TetCorners> after,
+                         std::span<const VertexId> added)
+{
+    Step step;
+    for (const TetId tet : before) step.before.push_back(mesh_.tet(tet).vertex);
+    step.added.assign(added.begin(), added.end());
+    replacement_.replace(before, after);
+    step.created = replacement_.created();
+    log_.push_back(std::move(step));
+    ++flips_;
+}
+
 void FlipSearch::takeBackTo(std::size_t mark)
 {
     while (log_.size() > mark) {
         replacement_.replace(log_.back().created, log_.back().before);
+        for (const VertexId vertex : log_.back().added) mesh_.removeVertex(vertex);
         log_.pop_back();
         --flips_;
     }
@@ -100,7 +113,8 @@ bool FlipSearch::removeEdge(VertexId a, VertexId b, int depth, const TetMeasure&
         std::vector<VertexId> link;
         for (const TetId other : ring) {
             for (const VertexId v : mesh_.isAlive(other) ? mesh_.tet(other).vertex : TetCorners{a, a, a, a}) {
-                if (v != a && v != b && std::find(link.begin(), link.end(), v) == link.end()) link.push_back(v);
+                if (v != a && v != b && std::find(link.begin(), link.end(), v) == link.end())
+                    link.push_back(v);
             }
         }
         for (const VertexId side : link) {

@@ -4,6 +4,7 @@
 #include "delaunay/tet_replacement3d.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace mesher {
@@ -31,6 +32,10 @@ public:
     /// Reference  [si2015] section 3 has the idea of removing edges that lock an edge
     bool removeEdge(VertexId a, VertexId b, int depth, const TetMeasure& measure);
 
+    /// Any other replacement, with the vertices that were added for it: these are removed if it is taken back.
+    void replace(std::span<const TetId> before, std::span<const TetCorners> after,
+                 std::span<const VertexId> added);
+
     /// Flips made and not taken back.
     [[nodiscard]] std::uint64_t flips() const { return flips_; }
 
@@ -39,6 +44,7 @@ private:
     {
         std::vector<TetCorners> before;
         std::vector<TetId> created;
+        std::vector<VertexId> added;
     };
 
     void apply(const Flip3d& flip);

@@ -66,8 +66,8 @@ VertexClass vertexClassOf(const MeshNode& node)
     return result;
 }
 
-Result<void> insertNodes(const SurfaceMesh& surface, const TetrahedralizationOptions& options, RunContext& context,
-                         Tetrahedralization& result)
+Result<void> insertNodes(const SurfaceMesh& surface, const TetrahedralizationOptions& options,
+                         RunContext& context, Tetrahedralization& result)
 {
     std::vector<Vec3> points;
     points.reserve(surface.nodes.size() + 8);

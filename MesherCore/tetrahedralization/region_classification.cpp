@@ -60,13 +60,14 @@ private:
     [[nodiscard]] Error contradiction(const SurfaceFacet& facet, RegionId found, RegionId wanted) const
     {
         const auto name = [](RegionId region) {
-            return region == kExteriorRegion ? std::string("the outside") : nameOf(BrepSolidId(region.value - 1));
+            return region == kExteriorRegion ? std::string("the outside")
+                                             : nameOf(BrepSolidId(region.value - 1));
         };
         Vec3 middle;
         for (const NodeId node : facet.node) middle = middle + (1.0 / 3.0) * surface_.nodes[node].position;
         return {ErrorCode::InvalidArgument,
-                "beside the face is " + name(found) + " where " + name(wanted) + " is expected", nameOf(facet.face),
-                middle, "close the shells, and turn faces that look the wrong way"};
+                "beside the face is " + name(found) + " where " + name(wanted) + " is expected",
+                nameOf(facet.face), middle, "close the shells, and turn faces that look the wrong way"};
     }
 
     void give(TetId tet, RegionId region)
@@ -99,7 +100,8 @@ private:
 
 }  // namespace
 
-Result<void> classifyRegions(ConstrainedTetrahedralization& tets, const SurfaceMesh& surface, const RegionSides& sides)
+Result<void> classifyRegions(ConstrainedTetrahedralization& tets, const SurfaceMesh& surface,
+                             const RegionSides& sides)
 {
     return RegionFlood(tets, surface, sides).run();
 }

@@ -10,6 +10,7 @@ namespace mesher {
 /// the hull are exterior.
 /// Errors   a face whose side contradicts another's, or a solid that is open to the outside (InvalidArgument; names the face)
 /// Cost     linear
-Result<void> classifyRegions(ConstrainedTetrahedralization& tets, const SurfaceMesh& surface, const RegionSides& sides);
+Result<void> classifyRegions(ConstrainedTetrahedralization& tets, const SurfaceMesh& surface,
+                             const RegionSides& sides);
 
 }  // namespace mesher

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "base/error.h"
+#include "base/random.h"
+#include "tetrahedralization/coplanar_swap.h"
 #include "tetrahedralization/edge_crossing.h"
 #include "tetrahedralization/flip_search.h"
 #include "tetrahedralization/surface_constraints.h"
 
-#include <optional>
+#include <vector>
 
 namespace mesher {
 
@@ -24,15 +25,20 @@ struct RecoveryObstacle
     Vec3 point;  ///< where they meet, in coordinates of the tetrahedralization
 };
 
-/// Recovers a missing edge by flips and edge removals along the line: each step has to lessen what the line passes through,
-/// else it is taken back. A recovered edge is locked.
-/// Terminates   always: the weight of the crossings falls
+/// Recovers a missing edge by flips and edge removals along the line: a step has to lessen what the line passes through, or
+/// be one of a limited number that only change it. A recovered edge is locked; if it fails, all is taken back.
+/// Terminates   always: the weight of the crossings falls, but for that number of steps
 /// Reference    [gosselin] §3.3.3 "Edge Recovery by Swapping", with the search of [si2015]
 class SegmentRecovery
 {
 public:
-    SegmentRecovery(SurfaceConstraints& constraints, FlipSearch& flips)
-        : constraints_(constraints), flips_(flips), crossings_(std::as_const(constraints).mesh())
+    /// At the depth `maxDepth` it may add vertices beside the plane of edges that it swaps.
+    SegmentRecovery(SurfaceConstraints& constraints, FlipSearch& flips, int maxDepth)
+        : constraints_(constraints),
+          flips_(flips),
+          crossings_(std::as_const(constraints).mesh()),
+          swap_(constraints.mesh(), flips),
+          maxDepth_(maxDepth)
     {
     }
 
@@ -44,17 +50,22 @@ public:
 
 private:
     RecoveryStatus findObstacle(VertexId a, VertexId b);
+    void loosenFacets(VertexId a, VertexId b);
     [[nodiscard]] static std::uint32_t weigh(const std::vector<EdgeCrossing>& crossings);
-    bool improve(VertexId a, VertexId b, int depth);
-    bool tryAt(const EdgeCrossing& crossing, VertexId a, VertexId b, VertexId apex, int depth);
-    bool lessens(VertexId a, VertexId b, std::size_t mark);
+    bool improve(VertexId a, VertexId b, int depth, std::uint32_t limit, std::uint32_t first);
+    bool tryAt(const EdgeCrossing& crossing, VertexId a, VertexId b, VertexId apex, int depth,
+               std::uint32_t limit);
+    bool lessens(VertexId a, VertexId b, std::size_t mark, std::uint32_t limit);
 
     SurfaceConstraints& constraints_;
     FlipSearch& flips_;
     EdgeCrossings crossings_;
+    CoplanarSwap swap_;
     std::vector<EdgeCrossing> found_;
     std::vector<EdgeCrossing> trial_;
     RecoveryObstacle obstacle_;
+    Random random_{1};
+    int maxDepth_;
 };
 
 }  // namespace mesher

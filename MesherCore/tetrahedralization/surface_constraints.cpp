@@ -25,6 +25,11 @@ std::array<VertexId, 3> SurfaceConstraints::cornersOf(FacetId facet) const
     return {tets_.vertexOf[node[0]], tets_.vertexOf[node[1]], tets_.vertexOf[node[2]]};
 }
 
+NodeId SurfaceConstraints::nodeAt(VertexId vertex) const
+{
+    return vertex.value < tets_.nodeOf.size() ? tets_.nodeOf[vertex] : NodeId();
+}
+
 void SurfaceConstraints::listFacetsByNode()
 {
     facetsByNode_.resize(surface().nodes.size());
@@ -37,9 +42,8 @@ void SurfaceConstraints::listFacetsByNode()
 std::vector<FacetId> SurfaceConstraints::facetsAt(VertexId a, VertexId b)
 {
     std::vector<FacetId> facets;
-    if (a.value >= tets_.nodeOf.size() || b.value >= tets_.nodeOf.size()) return facets;
-    const NodeId from = tets_.nodeOf[a];
-    const NodeId to = tets_.nodeOf[b];
+    const NodeId from = nodeAt(a);
+    const NodeId to = nodeAt(b);
     if (!from.isValid() || !to.isValid()) return facets;
     if (facetsByNode_.empty()) listFacetsByNode();
     std::vector<FacetId>& atNode = facetsByNode_[from];
@@ -89,6 +93,23 @@ void SurfaceConstraints::releaseTemporaryLocks()
         if (tet.isValid()) mesh().setEdgeConstrained(tet, a, b, false);
     }
     temporaryLocks_.clear();
+}
+
+void SurfaceConstraints::loosenFacetsAt(VertexId vertex)
+{
+    std::vector<TetId> star;
+    mesh().collectStar(vertex, star);
+    for (const TetId tet : star) {
+        for (int face = 0; face < 4; ++face) {
+            if (!mesh().isFaceConstrained({tet, face})) continue;
+            const auto corner = mesh().faceVertices({tet, face});
+            const FacetId* facet = tets_.facetOf.find(sorted(corner));
+            MESHER_INVARIANT(facet != nullptr);
+            for (unsigned k = 0; k < 3; ++k) lockEdge(tet, corner[k], corner[(k + 1) % 3]);
+            mesh().setFaceConstrained({tet, face}, false);
+            missingFacets.push_back(*facet);
+        }
+    }
 }
 
 void SurfaceConstraints::requireEdge(VertexId a, VertexId b)
@@ -148,7 +169,8 @@ void SurfaceConstraints::release(const SurfaceSplit& split)
             const VertexId a = corner[k];
             const VertexId b = corner[(k + 1) % 3];
             const std::vector<FacetId> facets = facetsAt(a, b);
-            if (!segmentAt(a, b).isValid() && std::all_of(facets.begin(), facets.end(), isRemoved)) unlock(a, b);
+            if (!segmentAt(a, b).isValid() && std::all_of(facets.begin(), facets.end(), isRemoved))
+                unlock(a, b);
         }
     }
 }
@@ -193,8 +215,8 @@ std::string SurfaceConstraints::nameOfEdge(VertexId a, VertexId b)
 
 std::string SurfaceConstraints::nameOfVertex(VertexId vertex) const
 {
-    if (vertex.value >= tets_.nodeOf.size() || !tets_.nodeOf[vertex].isValid()) return {};
-    return nameOf(surface().nodes[tets_.nodeOf[vertex]].entity);
+    const NodeId node = nodeAt(vertex);
+    return node.isValid() ? nameOf(surface().nodes[node].entity) : std::string();
 }
 
 }  // namespace mesher

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] const Triangulation3d& mesh() const { return std::as_const(tets_).mesh(); }
 
     [[nodiscard]] std::array<VertexId, 3> cornersOf(FacetId facet) const;
+    /// Invalid for a vertex that recovery or a scaffold added.
+    [[nodiscard]] NodeId nodeAt(VertexId vertex) const;
     /// The live facets at the edge, in the order of their ids. Cost: the facets at a node, once all were listed by node.
     std::vector<FacetId> facetsAt(VertexId a, VertexId b);
     /// Invalid if the edge is no segment.
@@ -40,6 +42,9 @@ public:
 
     void lockEdge(TetId tet, VertexId a, VertexId b);
     void lockFacet(TetFace face);
+    /// Locks the edges of the facets around a vertex instead of these themselves, which are listed as missing: edges leave
+    /// more freedom for the recovery of others.
+    void loosenFacetsAt(VertexId vertex);
     /// Takes the locks from edges that are no segments.
     void releaseTemporaryLocks();
 

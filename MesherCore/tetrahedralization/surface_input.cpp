@@ -18,7 +18,8 @@ bool areCollinear(const Vec3& a, const Vec3& b, const Vec3& c)
 
 Error badFacet(const SurfaceFacet& facet, const std::string& message, const Vec3& point)
 {
-    return {ErrorCode::DegenerateInput, message, nameOf(facet.face), point, "sample the face again, or repair it"};
+    return {ErrorCode::DegenerateInput, message, nameOf(facet.face), point,
+            "sample the face again, or repair it"};
 }
 
 Result<void> checkSegments(const SurfaceMesh& surface)
@@ -28,7 +29,8 @@ Result<void> checkSegments(const SurfaceMesh& surface)
         const bool isInRange =
             segment.node[0].value < surface.nodes.size() && segment.node[1].value < surface.nodes.size();
         if (isInRange && segment.node[0] != segment.node[1]) continue;
-        return Error{ErrorCode::InvalidArgument, "a segment does not join two nodes", nameOf(segment.edge), {}, {}};
+        return Error{
+            ErrorCode::InvalidArgument, "a segment does not join two nodes", nameOf(segment.edge), {}, {}};
     }
     return {};
 }
@@ -42,11 +44,13 @@ Result<void> checkSurfaceInput(const SurfaceMesh& surface, const RegionSides& si
     for (const SurfaceFacet& facet : surface.facets) {
         if (!facet.isAlive()) continue;
         if (facet.face.value >= sides.size()) {
-            return Error{ErrorCode::InvalidArgument, "no regions are given for the face", nameOf(facet.face), {}, {}};
+            return Error{
+                ErrorCode::InvalidArgument, "no regions are given for the face", nameOf(facet.face), {}, {}};
         }
         for (const NodeId node : facet.node) {
             if (node.value < surface.nodes.size()) continue;
-            return Error{ErrorCode::InvalidArgument, "a facet has an unknown node", nameOf(facet.face), {}, {}};
+            return Error{
+                ErrorCode::InvalidArgument, "a facet has an unknown node", nameOf(facet.face), {}, {}};
         }
         const Vec3& a = surface.nodes[facet.node[0]].position;
         if (areCollinear(a, surface.nodes[facet.node[1]].position, surface.nodes[facet.node[2]].position))

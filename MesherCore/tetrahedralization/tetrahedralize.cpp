@@ -42,7 +42,6 @@ void restoreDelaunay(Budget& budget, Tetrahedralization& result)
     const ConstrainedDelaunayCounts flips = makeConstrainedDelaunay(result.tets, budget);
     result.counts.delaunayFlips += flips.flips;
     result.counts.delaunayCavities += flips.cavities;
-    result.counts.nonDelaunayFaces = flips.nonDelaunayFaces;
 }
 
 /// Each full check costs a good part of the stage.
@@ -68,13 +67,16 @@ Result<Tetrahedralization> tetrahedralize(SurfaceSplitter& surface, const Region
     if (Result<void> inserted = insertNodes(surface.mesh(), options, context, result); !inserted)
         return inserted.error();
     if (result.stopReason != StopReason::Done) return result;
-    if (Result<void> recovered = recover(surface, options, budget, result); !recovered) return recovered.error();
+    if (Result<void> recovered = recover(surface, options, budget, result); !recovered)
+        return recovered.error();
     if (!result.failures.empty() || result.stopReason != StopReason::Done) return result;
     restoreDelaunay(budget, result);
-    if (Result<void> regions = classifyRegions(result.tets, surface.mesh(), sides); !regions) return regions.error();
+    if (Result<void> regions = classifyRegions(result.tets, surface.mesh(), sides); !regions)
+        return regions.error();
     const FreeVertexRemoval removal = removeFreeVertices(result.tets);
     result.counts.freeVerticesLeft = removal.left;
     if (removal.removed > 0) restoreDelaunay(budget, result);
+    result.counts.nonDelaunayFaces = countNonDelaunayFaces(result.tets.mesh(), DelaunayPart::Inside);
     result.stopReason = budget.stopReason();
     checkResult(surface.mesh(), sides, result, context);
     return result;

@@ -35,21 +35,24 @@ struct TetrahedralizationCounts
     std::uint32_t nodes = 0;
     std::uint32_t scaffoldPoints = 0;
     std::uint32_t boxPoints = 0;
-    std::uint32_t missingEdges = 0;   ///< of the Delaunay tetrahedralization, segments and edges of missing facets
+    std::uint32_t missingEdges =
+        0;  ///< of the Delaunay tetrahedralization, segments and edges of missing facets
     std::uint32_t missingFacets = 0;
     std::uint32_t edgesByFlips = 0;
     std::uint32_t facetsByFlips = 0;
     std::uint32_t facetsByCavity = 0;
     std::uint32_t facetsByStar = 0;
-    std::uint32_t exactSplits = 0;     ///< new nodes on the exact geometry
-    std::uint32_t edgeSteiner = 0;     ///< new nodes on edges that are not on the exact geometry
-    std::uint32_t facetSteiner = 0;    ///< … on facets
-    std::uint32_t starVertices = 0;    ///< additional vertices off the surface, before removal
-    std::uint32_t freeVerticesLeft = 0;     ///< scaffold and additional vertices inside of solids that could not be removed
+    std::uint32_t exactSplits = 0;   ///< new nodes on the exact geometry
+    std::uint32_t edgeSteiner = 0;   ///< new nodes on edges that are not on the exact geometry
+    std::uint32_t facetSteiner = 0;  ///< … on facets
+    std::uint32_t starVertices = 0;  ///< additional vertices off the surface, before removal
+    std::uint32_t freeVerticesLeft =
+        0;  ///< scaffold and additional vertices inside of solids that could not be removed
     std::uint64_t recoveryFlips = 0;
     std::uint64_t delaunayFlips = 0;
-    std::uint32_t delaunayCavities = 0;     ///< cavities filled anew where flips were stuck
-    std::uint64_t nonDelaunayFaces = 0;     ///< at the end: faces with a vertex strictly inside of the sphere beside
+    std::uint32_t delaunayCavities = 0;  ///< cavities filled anew where flips were stuck
+    std::uint64_t nonDelaunayFaces =
+        0;  ///< at the end, inside of solids: faces with a vertex strictly inside of the sphere beside
 };
 
 struct Tetrahedralization

@@ -27,14 +27,32 @@ struct Totals
     std::uint64_t withSteiner = 0;
 };
 
+/// The round's input for TetGen, each triangle a facet of its own.
+void writePoly(const SurfaceMesh& mesh, const char* path)
+{
+    std::FILE* file = std::fopen(path, "w");
+    if (file == nullptr) return;
+    std::fprintf(file, "%zu 3 0 0\n", mesh.nodes.size());
+    for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) {
+        const Vec3& p = mesh.nodes[NodeId(i)].position;
+        std::fprintf(file, "%u %.17g %.17g %.17g\n", i, p.x, p.y, p.z);
+    }
+    std::fprintf(file, "%zu 0\n", mesh.facets.size());
+    for (const SurfaceFacet& facet : mesh.facets) {
+        std::fprintf(file, "1\n3 %u %u %u\n", facet.node[0].value, facet.node[1].value, facet.node[2].value);
+    }
+    std::fprintf(file, "0\n0\n");
+    std::fclose(file);
+}
+
 /// Turned planar faces are planar no more, by the last bit, and facets of theirs may then cross: not a fault.
-std::string tryRound(std::uint64_t seed, bool isVerbose, Totals& totals, bool& isRefused)
+std::string tryRound(std::uint64_t seed, bool isVerbose, const TetrahedralizationOptions& options,
+                     Totals& totals, bool& isRefused)
 {
     std::string name;
     test::SampleSurface sample = test::randomSurface(seed, name);
     if (sample.mesh.facets.empty()) return {};
     RunContext context;
-    TetrahedralizationOptions options;
     const auto result = tetrahedralize(sample.mesh, sample.sides, options, context);
     isRefused = !result;
     if (!result) return name + ": refused: " + describe(result.error());
@@ -55,7 +73,8 @@ std::string tryRound(std::uint64_t seed, bool isVerbose, Totals& totals, bool& i
     totals.withNonDelaunay += counts.nonDelaunayFaces > 0 ? 1 : 0;
     totals.withSteiner += counts.edgeSteiner + counts.facetSteiner + counts.freeVerticesLeft > 0 ? 1 : 0;
     if (isVerbose) {
-        std::printf("seed %llu %s: %u nodes, missing %u edges %u facets, flips %u %u, cavity %u, star %u, Steiner %u %u, "
+        std::printf("seed %llu %s: %u nodes, missing %u edges %u facets, flips %u %u, cavity %u, star %u, "
+                    "Steiner %u %u, "
                     "left %u, non-Delaunay %llu\n",
                     static_cast<unsigned long long>(seed), name.c_str(), counts.nodes, counts.missingEdges,
                     counts.missingFacets, counts.edgesByFlips, counts.facetsByFlips, counts.facetsByCavity,
@@ -65,28 +84,30 @@ std::string tryRound(std::uint64_t seed, bool isVerbose, Totals& totals, bool& i
     return {};
 }
 
-int run(std::uint64_t seed, std::uint64_t rounds, bool isVerbose)
+int run(std::uint64_t seed, std::uint64_t rounds, bool isVerbose, const TetrahedralizationOptions& options)
 {
     Totals totals;
     std::uint64_t failures = 0;
     for (std::uint64_t round = 0; round < rounds; ++round) {
         bool isRefused = false;
-        const std::string problem = tryRound(seed + round, isVerbose, totals, isRefused);
+        const std::string problem = tryRound(seed + round, isVerbose, options, totals, isRefused);
         if (problem.empty()) continue;
         ++failures;
         std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed + round), problem.c_str());
     }
-    std::printf("%llu rounds, %llu failed; %llu nodes, missing edges %llu, facets %llu; Steiner points on the surface %llu, "
-                "stars %llu, left inside %llu; in %llu rounds; faces not Delaunay %llu in %llu rounds; continue with "
-                "--seed %llu\n",
-                static_cast<unsigned long long>(rounds), static_cast<unsigned long long>(failures),
-                static_cast<unsigned long long>(totals.nodes), static_cast<unsigned long long>(totals.missingEdges),
-                static_cast<unsigned long long>(totals.missingFacets), static_cast<unsigned long long>(totals.steiner),
-                static_cast<unsigned long long>(totals.stars), static_cast<unsigned long long>(totals.left),
-                static_cast<unsigned long long>(totals.withSteiner),
-                static_cast<unsigned long long>(totals.nonDelaunay),
-                static_cast<unsigned long long>(totals.withNonDelaunay),
-                static_cast<unsigned long long>(seed + rounds));
+    std::printf(
+        "%llu rounds, %llu failed; %llu nodes, missing edges %llu, facets %llu; Steiner points on the "
+        "surface %llu, "
+        "stars %llu, left inside %llu; in %llu rounds; faces not Delaunay %llu in %llu rounds; continue with "
+        "--seed %llu\n",
+        static_cast<unsigned long long>(rounds), static_cast<unsigned long long>(failures),
+        static_cast<unsigned long long>(totals.nodes), static_cast<unsigned long long>(totals.missingEdges),
+        static_cast<unsigned long long>(totals.missingFacets),
+        static_cast<unsigned long long>(totals.steiner), static_cast<unsigned long long>(totals.stars),
+        static_cast<unsigned long long>(totals.left), static_cast<unsigned long long>(totals.withSteiner),
+        static_cast<unsigned long long>(totals.nonDelaunay),
+        static_cast<unsigned long long>(totals.withNonDelaunay),
+        static_cast<unsigned long long>(seed + rounds));
     return failures == 0 ? 0 : 1;
 }
 
@@ -98,6 +119,7 @@ int main(int argc, char** argv)
     std::uint64_t seed = 1;
     std::uint64_t rounds = 100;
     bool isVerbose = false;
+    mesher::TetrahedralizationOptions options;
     for (int i = 1; i < argc; ++i) {
         if (std::strcmp(argv[i], "--verbose") == 0) {
             isVerbose = true;
@@ -105,10 +127,18 @@ int main(int argc, char** argv)
             seed = std::strtoull(argv[++i], nullptr, 10);
         } else if (std::strcmp(argv[i], "--rounds") == 0 && i + 1 < argc) {
             rounds = std::strtoull(argv[++i], nullptr, 10);
+        } else if (std::strcmp(argv[i], "--poly") == 0 && i + 1 < argc) {
+            std::string name;
+            mesher::writePoly(mesher::test::randomSurface(seed, name).mesh, argv[++i]);
+            return 0;
+        } else if (std::strcmp(argv[i], "--depth") == 0 && i + 1 < argc) {
+            options.flipDepth = std::atoi(argv[++i]);
         } else {
-            std::fprintf(stderr, "usage: recovery_fuzz [--seed S] [--rounds N] [--verbose]\n");
+            std::fprintf(
+                stderr,
+                "usage: recovery_fuzz [--seed S] [--rounds N] [--depth D] [--verbose] [--poly FILE]\n");
             return 2;
         }
     }
-    return mesher::run(seed, rounds, isVerbose);
+    return mesher::run(seed, rounds, isVerbose, options);
 }

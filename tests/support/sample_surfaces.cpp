@@ -127,8 +127,8 @@ SampleSurface convexHullSurface(std::size_t points, std::uint64_t seed)
     Random random(seed);
     Delaunay3d delaunay(seed);
     for (std::size_t i = 0; i < points; ++i) {
-        const auto inserted =
-            delaunay.insert({random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)});
+        const auto inserted = delaunay.insert(
+            {random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)});
         static_cast<void>(inserted);
     }
     const Triangulation3d& mesh = delaunay.triangulation();
@@ -174,7 +174,7 @@ SampleSurface schoenhardtSurface(double twist)
         high.push_back({std::cos(angle + twist), std::sin(angle + twist)});
     }
     // The diagonals on which the walls bend inward.
-    return joinPolygons(low, high, 1.0, {1, 1, 1});
+    return joinPolygons(low, high, 1.0, {0, 0, 0});
 }
 
 SampleSurface chazelleSurface(int notches, double gap)
@@ -204,9 +204,11 @@ SampleSurface chazelleSurface(int notches, double gap)
         Notch high;
         for (unsigned e = 0; e < 2; ++e) {
             const double at = e == 0 ? 0.0 : size;
-            low.end[e] = {builder.addNode({at, i - slit, -reach}), builder.addNode({at, double(i), ridge(at, i, -1.0)}),
+            low.end[e] = {builder.addNode({at, i - slit, -reach}),
+                          builder.addNode({at, double(i), ridge(at, i, -1.0)}),
                           builder.addNode({at, i + slit, -reach})};
-            high.end[e] = {builder.addNode({i - slit, at, reach}), builder.addNode({double(i), at, ridge(i, at, 1.0)}),
+            high.end[e] = {builder.addNode({i - slit, at, reach}),
+                           builder.addNode({double(i), at, ridge(i, at, 1.0)}),
                            builder.addNode({i + slit, at, reach})};
         }
         lower.push_back(low);
@@ -275,7 +277,8 @@ SampleSurface sphereSurface(int levels, double noise, std::uint64_t seed)
         return builder.addNode((1.0 + noise * random.between(-1.0, 1.0)) * unit(p));
     };
     for (const double z : {1.0, -1.0}) node.push_back(addPoint({0, 0, z}));
-    for (const Vec2 p : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) node.push_back(addPoint({p.x, p.y, 0}));
+    for (const Vec2 p : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}})
+        node.push_back(addPoint({p.x, p.y, 0}));
     std::vector<std::array<NodeId, 3>> triangles;
     for (unsigned i = 0; i < 4; ++i) {
         const NodeId a = node[2 + i];
@@ -295,7 +298,8 @@ SampleSurface sphereSurface(int levels, double noise, std::uint64_t seed)
             const NodeId ab = middle(a, b);
             const NodeId bc = middle(b, c);
             const NodeId ca = middle(c, a);
-            for (const auto& t : {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}}) finer.push_back(t);
+            for (const auto& t : {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
+                finer.push_back(t);
         }
         triangles = finer;
     }
@@ -314,8 +318,8 @@ SampleSurface torusSurface(int around, int across, double noise, std::uint64_t s
             const double u = 2.0 * std::numbers::pi * (i + noise * random.between(-1.0, 1.0)) / around;
             const double v = 2.0 * std::numbers::pi * (j + noise * random.between(-1.0, 1.0)) / across;
             const double r = 0.4 * (1.0 + 0.1 * noise * random.between(-1.0, 1.0));
-            node.push_back(builder.addNode(
-                {(1.0 + r * std::cos(v)) * std::cos(u), (1.0 + r * std::cos(v)) * std::sin(u), r * std::sin(v)}));
+            node.push_back(builder.addNode({(1.0 + r * std::cos(v)) * std::cos(u),
+                                            (1.0 + r * std::cos(v)) * std::sin(u), r * std::sin(v)}));
         }
     }
     const auto at = [&](int i, int j) {
@@ -324,13 +328,15 @@ SampleSurface torusSurface(int around, int across, double noise, std::uint64_t s
     const BrepFaceId face = builder.addFace(kOutside, kSolid);
     for (int i = 0; i < around; ++i) {
         for (int j = 0; j < across; ++j) {
-            addQuad(builder, face, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, random.below(2) == 1);
+            addQuad(builder, face, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)},
+                    random.below(2) == 1);
         }
     }
     return builder.finish();
 }
 
-SampleSurface cellSurface(std::array<int, 3> cells, std::uint32_t regions, double thinnest, std::uint64_t seed)
+SampleSurface cellSurface(std::array<int, 3> cells, std::uint32_t regions, double thinnest,
+                          std::uint64_t seed)
 {
     Random random(seed);
     std::array<std::vector<double>, 3> plane;
@@ -405,7 +411,8 @@ SampleSurface flippedBoxSurface(int squares, int flips, const Vec3& size, std::u
     };
     for (unsigned axis = 0; axis < 3; ++axis) {
         for (const int level : {0, squares}) {
-            const BrepFaceId face = builder.addFace(level == 0 ? kSolid : kOutside, level == 0 ? kOutside : kSolid);
+            const BrepFaceId face =
+                builder.addFace(level == 0 ? kSolid : kOutside, level == 0 ? kOutside : kSolid);
             // In the plane: points by index, triangles, and random flips of strictly convex pairs.
             std::vector<std::array<int, 3>> triangles;
             const auto index = [&](int i, int j) { return i * (squares + 1) + j; };
@@ -415,7 +422,9 @@ SampleSurface flippedBoxSurface(int squares, int flips, const Vec3& size, std::u
                     triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
                 }
             const auto turn = [&](int a, int b, int c) {
-                const auto point = [&](int p) { return Vec2{double(p / (squares + 1)), double(p % (squares + 1))}; };
+                const auto point = [&](int p) {
+                    return Vec2{double(p / (squares + 1)), double(p % (squares + 1))};
+                };
                 return cross(point(b) - point(a), point(c) - point(a));
             };
             for (int flip = 0; flip < flips; ++flip) {
@@ -466,7 +475,9 @@ void rotateRandomly(SampleSurface& surface, std::uint64_t seed)
 SampleSurface randomSurface(std::uint64_t seed, std::string& name)
 {
     Random random(seed);
-    const auto count = [&](int low, int high) { return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low + 1))); };
+    const auto count = [&](int low, int high) {
+        return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low + 1)));
+    };
     SampleSurface surface;
     switch (seed % 8) {
         case 0:
@@ -500,10 +511,10 @@ SampleSurface randomSurface(std::uint64_t seed, std::string& name)
             break;
         default:
             name = "flipped box";
-            surface = flippedBoxSurface(count(1, 12), count(0, 2000),
-                                        {1.0, std::pow(10.0, random.between(-2.0, 1.0)),
-                                         std::pow(10.0, random.between(-2.0, 1.0))},
-                                        random());
+            surface = flippedBoxSurface(
+                count(1, 12), count(0, 2000),
+                {1.0, std::pow(10.0, random.between(-2.0, 1.0)), std::pow(10.0, random.between(-2.0, 1.0))},
+                random());
             break;
     }
     if (random.below(2) == 1) {

@@ -46,7 +46,8 @@ SampleSurface sphereSurface(int levels, double noise, std::uint64_t seed);
 SampleSurface torusSurface(int around, int across, double noise, std::uint64_t seed);
 /// Random cells of a grid in `regions` solids: holes, voids, shared faces, and edges where many faces meet. Cells have
 /// random sizes down to `thinnest` of the usual one; diagonals are random.
-SampleSurface cellSurface(std::array<int, 3> cells, std::uint32_t regions, double thinnest, std::uint64_t seed);
+SampleSurface cellSurface(std::array<int, 3> cells, std::uint32_t regions, double thinnest,
+                          std::uint64_t seed);
 /// A box whose sides have n x n squares, diagonals flipped at random.
 SampleSurface flippedBoxSurface(int squares, int flips, const Vec3& size, std::uint64_t seed);
 

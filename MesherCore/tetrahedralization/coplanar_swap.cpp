@@ -1,0 +1,143 @@
+#include "tetrahedralization/coplanar_swap.h"
+
+#include "predicates/orient3d.h"
+
+#include <algorithm>
+
+namespace mesher {
+
+bool CoplanarSwap::isPositive(const TetCorners& tet) const
+{
+    return orient3d(mesh_.position(tet[0]), mesh_.position(tet[1]), mesh_.position(tet[2]),
+                    mesh_.position(tet[3])) == Sign::Positive;
+}
+
+/// The tetrahedra on a triangle of the link, counted in the sense of the ring.
+std::array<TetCorners, 2> CoplanarSwap::tetsOn(VertexId p, VertexId q, VertexId r) const
+{
+    return {TetCorners{p, q, r, edge_[0]}, TetCorners{q, p, r, edge_[1]}};
+}
+
+/// Of the link of the edge, the two vertices in the plane, if they see each other across the edge.
+bool CoplanarSwap::findQuadrilateral(VertexId a, VertexId b)
+{
+    const Vec3& c = mesh_.position(edge_[0]);
+    const Vec3& d = mesh_.position(edge_[1]);
+    // The line crosses the edge, so one of its ends spans the plane with it.
+    const VertexId inPlane = a == edge_[0] || a == edge_[1] ? b : a;
+    unsigned found = 0;
+    for (std::size_t i = 0; i < link_.size(); ++i) {
+        if (orient3d(c, d, mesh_.position(inPlane), mesh_.position(link_[i])) != Sign::Zero) continue;
+        if (found == 2) return false;
+        corner_[found++] = i;
+    }
+    if (found < 2) return false;
+    // The diagonal has to pass through the inside of the edge, as seen from any vertex off the plane.
+    const Vec3& u = mesh_.position(link_[corner_[0]]);
+    const Vec3& v = mesh_.position(link_[corner_[1]]);
+    const Vec3& off = mesh_.position(link_[(corner_[0] + 1) % link_.size()]);
+    const Sign turn = orient3d(u, v, off, c);
+    return turn != Sign::Zero && turn * orient3d(u, v, off, d) == Sign::Negative;
+}
+
+bool CoplanarSwap::swap(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
+{
+    edge_ = edge;
+    const TetId start = mesh_.findEdge(edge[0], edge[1]);
+    if (!start.isValid()) return false;
+    mesh_.collectEdgeRing(start, edge[0], edge[1], ring_);
+    if (mesh_.isEdgeConstrained(start,
+                                kEdgeOfSlots[mesh_.slotOf(start, edge[0])][mesh_.slotOf(start, edge[1])]))
+        return false;
+    link_.clear();
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+        if (mesh_.isGhostTet(ring_[i])) return false;
+        const TetId previous = ring_[(i + ring_.size() - 1) % ring_.size()];
+        for (int slot = 0; slot < 4; ++slot) {
+            const VertexId v = mesh_.vertex(ring_[i], slot);
+            if (v == edge[0] || v == edge[1]) continue;
+            if (mesh_.isFaceConstrained({ring_[i], slot})) return false;
+            if (mesh_.slotOf(previous, v) >= 0) link_.push_back(v);
+        }
+    }
+    if (link_.size() != ring_.size() || !findQuadrilateral(a, b)) return false;
+    // The ring may turn in either sense about the edge; of the ends the first is to be in front of it.
+    if (isPositive({link_[0], link_[1], edge_[0], edge_[1]})) std::swap(edge_[0], edge_[1]);
+    after_.clear();
+    added_.clear();
+    if (!fillSide(corner_[0], corner_[1]) || !fillSide(corner_[1], corner_[0])) {
+        for (const VertexId vertex : added_) mesh_.removeVertex(vertex);
+        return false;
+    }
+    flips_.replace(ring_, after_, added_);
+    return true;
+}
+
+bool CoplanarSwap::fillSide(std::size_t from, std::size_t to)
+{
+    std::vector<VertexId> chain;
+    for (std::size_t i = from; i != to; i = (i + 1) % link_.size()) chain.push_back(link_[i]);
+    chain.push_back(link_[to]);
+    return fillByRing(chain) || fillByStar(chain, from, to);
+}
+
+/// Tetrahedra on triangles of the polygon that the chain and the new diagonal make, if there are such.
+bool CoplanarSwap::fillByRing(const std::vector<VertexId>& chain)
+{
+    const std::size_t n = chain.size();
+    constexpr std::size_t kNone = ~std::size_t{0};
+    std::vector<std::size_t> apex(n * n, kNone);
+    const auto isSolved = [&](std::size_t i, std::size_t j) {
+        return j == i + 1 || apex[i * n + j] != kNone;
+    };
+    for (std::size_t length = 2; length < n; ++length) {
+        for (std::size_t i = 0; i + length < n; ++i) {
+            const std::size_t j = i + length;
+            for (std::size_t k = i + 1; k < j; ++k) {
+                if (!isSolved(i, k) || !isSolved(k, j)) continue;
+                const auto tets = tetsOn(chain[i], chain[k], chain[j]);
+                if (!isPositive(tets[0]) || !isPositive(tets[1])) continue;
+                apex[i * n + j] = k;
+                break;
+            }
+        }
+    }
+    if (!isSolved(0, n - 1)) return false;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, n - 1}};
+    while (!open.empty()) {
+        const auto [i, j] = open.back();
+        open.pop_back();
+        if (j == i + 1) continue;
+        const std::size_t k = apex[i * n + j];
+        for (const TetCorners& tet : tetsOn(chain[i], chain[k], chain[j])) after_.push_back(tet);
+        open.emplace_back(i, k);
+        open.emplace_back(k, j);
+    }
+    return true;
+}
+
+bool CoplanarSwap::fillByStar(const std::vector<VertexId>& chain, std::size_t from, std::size_t to)
+{
+    CavityShell shell;
+    for (std::size_t i = from; i != to; i = (i + 1) % link_.size()) {
+        for (const VertexId end : edge_) {
+            const TetFace face(ring_[i], mesh_.slotOf(ring_[i], end));
+            shell.add({mesh_.faceVertices(face), mesh_.neighbour(face)});
+        }
+    }
+    for (const VertexId end : edge_) {
+        TetCorners base{chain.front(), chain.back(), end, chain[1]};
+        if (!isPositive(base)) std::swap(base[0], base[1]);
+        shell.add({{base[0], base[1], base[2]}, TetFace()});
+    }
+    Vec3 point;
+    if (!cavities_.findKernelPoint(shell, point)) return false;
+    const VertexId centre = mesh_.addVertex(point);
+    added_.push_back(centre);
+    for (const auto& [key, face] : shell.faces()) {
+        after_.push_back({face.corner[0], face.corner[1], face.corner[2], centre});
+    }
+    return true;
+}
+
+}  // namespace mesher

@@ -1,0 +1,74 @@
+// Times the tetrahedralization of a surface mesh: recovery_ours torus|sphere|cells|box SIZE [--poly FILE]. One line of JSON;
+// with --poly the surface goes to a file for TetGen instead (tetgen -pM FILE), each triangle a facet of its own.
+
+#include "delaunay/constrained_check.h"
+#include "support/sample_surfaces.h"
+#include "tetrahedralization/tetrahedralize.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string_view>
+
+namespace {
+
+using namespace mesher;
+
+test::SampleSurface surfaceNamed(std::string_view name, int size)
+{
+    if (name == "torus") return test::torusSurface(size * 2, size, 0.1, 1);
+    if (name == "sphere") return test::sphereSurface(size, 0.0, 1);
+    if (name == "cells") return test::cellSurface({size, size, size}, 1, 0.1, 1);
+    return test::flippedBoxSurface(size, size * size * 3, {1.0, 0.7, 0.1}, 1);
+}
+
+void writePoly(const SurfaceMesh& mesh, const char* path)
+{
+    std::FILE* file = std::fopen(path, "w");
+    if (file == nullptr) return;
+    std::fprintf(file, "%zu 3 0 0\n", mesh.nodes.size());
+    for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) {
+        const Vec3& p = mesh.nodes[NodeId(i)].position;
+        std::fprintf(file, "%u %.17g %.17g %.17g\n", i, p.x, p.y, p.z);
+    }
+    std::fprintf(file, "%zu 0\n", mesh.facets.size());
+    for (const SurfaceFacet& facet : mesh.facets) {
+        std::fprintf(file, "1\n3 %u %u %u\n", facet.node[0].value, facet.node[1].value, facet.node[2].value);
+    }
+    std::fprintf(file, "0\n0\n");
+    std::fclose(file);
+}
+
+}  // namespace
+
+int main(int count, char** words)
+{
+    if (count != 3 && !(count == 5 && std::string_view(words[3]) == "--poly")) {
+        std::fprintf(stderr, "recovery_ours torus|sphere|cells|box SIZE [--poly FILE]\n");
+        return 2;
+    }
+    test::SampleSurface sample = surfaceNamed(words[1], std::atoi(words[2]));
+    if (count == 5) {
+        writePoly(sample.mesh, words[4]);
+        return 0;
+    }
+    const std::size_t facets = sample.mesh.facets.size();
+    RunContext context;
+    const std::clock_t start = std::clock();
+    const auto result = tetrahedralize(sample.mesh, sample.sides, {}, context);
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (!result) {
+        std::fprintf(stderr, "%s\n", describe(result.error()).c_str());
+        return 1;
+    }
+    const TetrahedralizationCounts& c = result->counts;
+    std::printf("{\"facets\": %zu, \"nodes\": %u, \"scaffold\": %u, \"missing_edges\": %u, \"missing_facets\": %u, "
+                "\"steiner\": %u, \"stars\": %u, \"free_left\": %u, \"failures\": %zu, \"delaunay_flips\": %llu, "
+                "\"non_delaunay\": %llu, \"seconds\": %.3f, \"facets_per_second\": %.0f}\n",
+                facets, c.nodes, c.scaffoldPoints, c.missingEdges, c.missingFacets, c.edgeSteiner + c.facetSteiner,
+                c.starVertices, c.freeVerticesLeft, result->failures.size(),
+                static_cast<unsigned long long>(c.delaunayFlips),
+                static_cast<unsigned long long>(c.nonDelaunayFaces), seconds,
+                static_cast<double>(facets) / seconds);
+    return 0;
+}

@@ -1,0 +1,207 @@
+#include "tetrahedralization/tetrahedralize.h"
+
+#include "delaunay/constrained_check.h"
+#include "delaunay/delaunay_check3d.h"
+#include "delaunay/mesh_hash.h"
+#include "support/sample_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace mesher {
+namespace {
+
+/// Tetrahedralizes and proves what is promised.
+TetrahedralizationCounts expectRecovered(test::SampleSurface sample,
+                                         const TetrahedralizationOptions& options = {})
+{
+    RunContext context;
+    const auto result = tetrahedralize(sample.mesh, sample.sides, options, context);
+    if (!result) {
+        ADD_FAILURE() << describe(result.error());
+        return {};
+    }
+    EXPECT_EQ(result->stopReason, StopReason::Done);
+    for (const Error& failure : result->failures) ADD_FAILURE() << describe(failure);
+    const CheckReport topology = checkTopology3d(result->tets.mesh());
+    EXPECT_TRUE(topology.isValid()) << topology.problem;
+    const CheckReport constraints = checkConstraints(result->tets, sample.mesh);
+    EXPECT_TRUE(constraints.isValid()) << constraints.problem;
+    const CheckReport regions = checkRegions(result->tets, sample.mesh, sample.sides);
+    EXPECT_TRUE(regions.isValid()) << regions.problem;
+    return result->counts;
+}
+
+Error errorOf(test::SampleSurface sample)
+{
+    RunContext context;
+    const auto result = tetrahedralize(sample.mesh, sample.sides, {}, context);
+    EXPECT_FALSE(result.hasValue());
+    return result ? Error{} : result.error();
+}
+
+/// Two tetrahedra apart, the second moved so that they may meet.
+test::SampleSurface twoTets(const Vec3& shift)
+{
+    test::SurfaceBuilder builder;
+    for (const Vec3& origin : {Vec3{}, shift}) {
+        const NodeId a = builder.addNode(origin);
+        const NodeId b = builder.addNode(origin + Vec3{4, 0, 0});
+        const NodeId c = builder.addNode(origin + Vec3{0, 4, 0});
+        const NodeId d = builder.addNode(origin + Vec3{0, 0, 4});
+        for (const auto& t : {std::array{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}}) {
+            builder.addFacet(builder.addFace(RegionId(0u), RegionId(1u)), t[0], t[1], t[2]);
+        }
+    }
+    return builder.finish();
+}
+
+TEST(Tetrahedralize, fillsAConvexHullWithoutVerticesOfItsOwn)
+{
+    const TetrahedralizationCounts counts = expectRecovered(test::convexHullSurface(100, 1));
+    EXPECT_EQ(counts.edgeSteiner + counts.facetSteiner + counts.starVertices, 0u);
+    EXPECT_EQ(counts.nonDelaunayFaces, 0u);
+}
+
+TEST(Tetrahedralize, needsOneVertexForThePolyhedronOfSchoenhardt)
+{
+    const TetrahedralizationCounts counts = expectRecovered(test::schoenhardtSurface(std::numbers::pi / 6.0));
+    EXPECT_EQ(counts.edgeSteiner + counts.facetSteiner + counts.freeVerticesLeft, 1u);
+}
+
+TEST(Tetrahedralize, recoversPolyhedraWithManyReflexEdges)
+{
+    for (const int notches : {1, 2, 3}) expectRecovered(test::chazelleSurface(notches, 0.3));
+}
+
+TEST(Tetrahedralize, recoversStars)
+{
+    const TetrahedralizationCounts counts = expectRecovered(test::sphereSurface(3, 0.6, 3));
+    EXPECT_GT(counts.missingFacets, 0u) << "the test is about recovery";
+}
+
+TEST(Tetrahedralize, keepsRegionsApartThatShareFacesAndHaveVoids)
+{
+    const TetrahedralizationCounts counts = expectRecovered(test::cellSurface({4, 4, 4}, 3, 0.1, 5));
+    EXPECT_EQ(counts.edgeSteiner + counts.facetSteiner, 0u);
+}
+
+TEST(Tetrahedralize, recoversDiagonalsThatAreNotDelaunay)
+{
+    const TetrahedralizationCounts counts =
+        expectRecovered(test::flippedBoxSurface(6, 60, {1.0, 1.0, 0.02}, 2));
+    EXPECT_GT(counts.missingEdges, 20u) << "the test is about recovery";
+}
+
+TEST(Tetrahedralize, removesScaffoldPointsInside)
+{
+    const test::SampleSurface sample = test::torusSurface(120, 60, 0.1, 4);
+    const TetrahedralizationCounts counts = expectRecovered(sample);
+    EXPECT_GT(counts.scaffoldPoints, 0u);
+    EXPECT_LT(counts.freeVerticesLeft, counts.scaffoldPoints / 50);
+    EXPECT_EQ(counts.edgeSteiner + counts.facetSteiner, 0u);
+}
+
+TEST(Tetrahedralize, givesTheSameMeshAgain)
+{
+    std::uint64_t hash = 0;
+    for (int run = 0; run < 2; ++run) {
+        test::SampleSurface sample = test::sphereSurface(3, 0.5, 9);
+        RunContext context;
+        const auto result = tetrahedralize(sample.mesh, sample.sides, {}, context);
+        ASSERT_TRUE(result);
+        const std::uint64_t found = meshHash3d(result->tets.mesh());
+        if (run == 1) {
+            EXPECT_EQ(found, hash);
+        }
+        hash = found;
+    }
+}
+
+TEST(Tetrahedralize, doesNotMindTheSizeOfTheModel)
+{
+    std::uint32_t steps[2] = {};
+    for (const int run : {0, 1}) {
+        test::SampleSurface sample = test::cellSurface({3, 3, 3}, 1, 0.2, 7);
+        for (MeshNode& node : sample.mesh.nodes) node.position = (run == 0 ? 1.0 : 0x1p-30) * node.position;
+        steps[run] = expectRecovered(sample).edgesByFlips;
+    }
+    EXPECT_EQ(steps[0], steps[1]);
+}
+
+// --- refusals
+
+TEST(Tetrahedralize, namesBothEntitiesOfAPiercedFacet)
+{
+    const Error error = errorOf(twoTets({1.0, 1.0, -1.0}));
+    EXPECT_EQ(error.code, ErrorCode::IntersectingConstraints);
+    EXPECT_NE(error.entity.find(" and "), std::string::npos) << error.entity;
+    ASSERT_TRUE(error.point.has_value());
+    EXPECT_LT(length(*error.point), 8.0);
+}
+
+TEST(Tetrahedralize, refusesNodesAtOnePlace)
+{
+    const Error error = errorOf(twoTets({4.0, 0.0, 0.0}));
+    EXPECT_EQ(error.code, ErrorCode::DuplicatePoint);
+    EXPECT_EQ(error.entity, "Vertex2 and Vertex5");
+}
+
+TEST(Tetrahedralize, refusesAVertexOnAFacet)
+{
+    const Error error = errorOf(twoTets({1.0, 1.0, 2.0}));
+    EXPECT_EQ(error.code, ErrorCode::IntersectingConstraints);
+}
+
+TEST(Tetrahedralize, refusesAFacetWithoutArea)
+{
+    test::SampleSurface sample = twoTets({9, 9, 9});
+    sample.mesh.nodes[NodeId(2u)].position = {8, 0, 0};
+    const Error error = errorOf(sample);
+    EXPECT_EQ(error.code, ErrorCode::DegenerateInput);
+    EXPECT_EQ(error.entity, "Face1");
+}
+
+TEST(Tetrahedralize, refusesAFaceThatLooksTheWrongWay)
+{
+    test::SampleSurface sample = twoTets({9, 9, 9});
+    std::swap(sample.sides[BrepFaceId(2u)][0], sample.sides[BrepFaceId(2u)][1]);
+    const Error error = errorOf(sample);
+    EXPECT_EQ(error.code, ErrorCode::InvalidArgument);
+    EXPECT_EQ(error.entity, "Face3");
+}
+
+TEST(Tetrahedralize, refusesAnOpenSolid)
+{
+    test::SampleSurface sample = twoTets({9, 9, 9});
+    sample.mesh.facets[FacetId(3u)].face = BrepFaceId();
+    EXPECT_EQ(errorOf(sample).code, ErrorCode::InvalidArgument);
+}
+
+TEST(Tetrahedralize, stopsAtItsBudgetAndNamesWhatIsMissing)
+{
+    test::SampleSurface sample = test::sphereSurface(3, 0.6, 3);
+    RunContext context;
+    TetrahedralizationOptions options;
+    options.limits.maxOperations = 5;
+    const auto result = tetrahedralize(sample.mesh, sample.sides, options, context);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->stopReason, StopReason::OperationLimit);
+    ASSERT_FALSE(result->failures.empty());
+    EXPECT_EQ(result->failures.front().entity, "Face1");
+}
+
+TEST(Tetrahedralize, stopsWhenCancelled)
+{
+    test::SampleSurface sample = test::sphereSurface(3, 0.6, 3);
+    RunContext context;
+    context.requestCancel();
+    const auto result = tetrahedralize(sample.mesh, sample.sides, {}, context);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->stopReason, StopReason::Cancelled);
+}
+
+}  // namespace
+}  // namespace mesher
