@@ -231,27 +231,37 @@ bool FaceRefiner::removeApex(EdgeLink side)
     return true;
 }
 
-void FaceRefiner::evaluateOnSide(EdgeLink side, const SegmentVertex& split, StarExtent extent)
+SurfaceFacts FaceRefiner::factsOnSide(EdgeLink side, const Vec3& position) const
 {
     const FaceTriangle& record = mesh_.triangle(side.triangle());
-    const VertexId from = mesh_.from(side), to = mesh_.to(side);
-    const double before = length(split.position - mesh_.position(from));
-    const double after = length(split.position - mesh_.position(to));
+    const double before = length(position - mesh_.position(mesh_.from(side)));
+    const double after = length(position - mesh_.position(mesh_.to(side)));
     const double share = before + after > 0.0 ? before / (before + after) : 0.5;
-    const Vec2 uvFrom = record.uv[nextCorner(side.edge())], uvTo = record.uv[previousCorner(side.edge())];
-    const SurfaceFacts facts = geometry_.projected(split.position, uvFrom + share * (uvTo - uvFrom));
+    const Vec2 from = record.uv[nextCorner(side.edge())], to = record.uv[previousCorner(side.edge())];
+    return geometry_.projected(position, from + share * (to - from));
+}
+
+void FaceRefiner::evaluateOnSide(EdgeLink side, const SegmentVertex& split, StarExtent extent)
+{
+    const SurfaceFacts facts = factsOnSide(side, split.position);
     FaceVertex vertex = splitter_.vertexAt(facts);
     vertex.isFree = false;
     vertex.position = split.position;
     vertex.node = split.node;
-    const bool isAlong = mesh_.vertex(from).node == split.ends[0];
+    std::optional<Vec2> uvBehind;
+    if (const EdgeLink other = mesh_.across(side); other.isValid()) {
+        const SurfaceFacts behind = factsOnSide(other, split.position);
+        uvBehind = behind.parameters;
+        vertex.keepNormal(behind.normal);
+    }
+    const bool isAlong = mesh_.vertex(mesh_.from(side)).node == split.ends[0];
     const std::array<SegmentId, 2> halves =
         isAlong ? split.halves : std::array<SegmentId, 2>{split.halves[1], split.halves[0]};
     FaceStar& star = splitter_.star();
-    star.evaluateOnSide(side, vertex, facts.parameters, extent, halves);
+    star.evaluateOnSide(side, vertex, facts.parameters, extent, halves, uvBehind);
     if (extent == StarExtent::Least || !star.isFolded()) return;
     ++counts_.forcedStars;
-    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves);
+    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves, uvBehind);
 }
 
 bool FaceRefiner::evaluateOnSegment(const SegmentVertex& split, StarExtent extent)
