@@ -1,11 +1,19 @@
 #include "surface_sampling/surface_refinement.h"
 
+#include "surface_sampling/face_flips.h"
 #include "surface_sampling/facet_measures.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace mesher {
+namespace {
+
+/// Far more than a vertex of a sound mesh needs.
+constexpr std::size_t kMostFlipsAround = 200;
+
+}  // namespace
+
 
 FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCounts& other)
 {
@@ -175,7 +183,7 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         ++counts_.leftAtSmallAngles;
         return;
     }
-    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay);
+    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need == FacetNeed::Size);
     if (status == FacetSplitStatus::Ready) {
         splitter_.star().commit();
         queueMade(splitter_.star().made());
@@ -271,6 +279,25 @@ bool FaceRefiner::evaluateOnSegment(const SegmentVertex& split, StarExtent exten
     return side.isValid();
 }
 
+/// The star of a vertex that could not be made Delaunay at once: edge by edge, as far as no facet folds.
+void FaceRefiner::flipAround(VertexId v)
+{
+    std::vector<EdgeLink> suspects;
+    mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) { suspects.push_back(opposite); });
+    for (std::size_t flips = 0; !suspects.empty() && flips < kMostFlipsAround;) {
+        const EdgeLink side = suspects.back();
+        suspects.pop_back();
+        if (isLocallyDelaunay(mesh_, side) || obstacleToFlip(mesh_, side) != FlipObstacle::None) continue;
+        const EdgeLink diagonal = flip(mesh_, geometry_, side);
+        ++flips;
+        for (const EdgeLink half : {diagonal, mesh_.across(diagonal)}) {
+            suspects.emplace_back(half.triangle(), 1u);
+            suspects.emplace_back(half.triangle(), 2u);
+            queueTriangle(half.triangle());
+        }
+    }
+}
+
 void FaceRefiner::insertOnSegment(const SegmentVertex& split)
 {
     EdgeLink side = sideOf(split);
@@ -279,10 +306,12 @@ void FaceRefiner::insertOnSegment(const SegmentVertex& split)
         side = sideOf(split);
     if (!side.isValid()) return;
     evaluateOnSide(side, split, StarExtent::Delaunay);
+    const std::size_t forcedBefore = counts_.forcedStars;
     const VertexId v = splitter_.star().commit();
     vertexOf_.insert(split.node, v);
     ++counts_.boundaryInsertions;
-    queueMade(splitter_.star().made());
+    if (counts_.forcedStars != forcedBefore) flipAround(v);
+    mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) { queueTriangle(opposite.triangle()); });
     proposeAround(v);
 }
 
