@@ -53,7 +53,9 @@ SurfaceFacts FaceGeometry::factsOf(const SurfacePoint& point, Vec2 uv) const
     }
     const Vec3 normal = point.normal();
     const double size = length(normal);
-    if (!(size > 0.0)) return facts;
+    // Derivatives along one line have no normal that could be trusted.
+    constexpr double kParallel = 1e-6;
+    if (!(size > kParallel * length(point.du) * length(point.dv))) return facts;
     facts.normal = (1.0 / size) * normal;
     if (isPlane_) return facts;
     if (const std::optional<SurfaceCurvature> curvature = curvatureOf(point)) {

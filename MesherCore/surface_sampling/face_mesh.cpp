@@ -1,5 +1,6 @@
 #include "surface_sampling/face_mesh.h"
 
+#include <algorithm>
 #include <string>
 
 namespace mesher {
@@ -61,8 +62,14 @@ public:
 private:
     VertexId vertexOf(NodeId node, Vec2 uv)
     {
-        if (const VertexId* known = vertexOf_.find(node)) return *known;
-        FaceVertex vertex = FaceVertex::of(geometry_.at(uv));
+        const SurfaceFacts facts = geometry_.at(uv);
+        if (const VertexId* known = vertexOf_.find(node)) {
+            FaceVertex& vertex = mesh_.vertex(*known);
+            vertex.keepNormal(facts.normal);
+            vertex.curvatureRadius = std::min(vertex.curvatureRadius, facts.curvatureRadius);
+            return *known;
+        }
+        FaceVertex vertex = FaceVertex::of(facts);
         vertex.position = nodes_[node].position;
         // Nodes inside of the face are the face's own until the faces are put together.
         vertex.isFree = nodes_[node].entity.dimension == 2;
@@ -90,6 +97,12 @@ FaceVertex FaceVertex::of(const SurfaceFacts& facts)
     vertex.isSingularU = facts.isSingularU;
     vertex.isSingularV = facts.isSingularV;
     return vertex;
+}
+
+void FaceVertex::keepNormal(const Vec3& other)
+{
+    constexpr double kSame = 0.99;
+    if (dot(normal, other) < kSame) normal = {};
 }
 
 Result<FaceMesh> FaceMesh::make(BrepFaceId face, const FaceGeometry& geometry,

@@ -34,6 +34,8 @@ struct FaceVertex
     bool isSingularV = false;
 
     [[nodiscard]] static FaceVertex of(const SurfaceFacts& facts);
+    /// Gives the normal up unless another image of the vertex has the same: a face may meet itself at an angle.
+    void keepNormal(const Vec3& other);
     [[nodiscard]] bool isPole() const { return isSingularU || isSingularV; }
 };
 

@@ -10,6 +10,8 @@ namespace {
 
 /// New triangles may be off the surface's normals by 60 degrees, or as much as those they replace.
 constexpr double kLeastAgreement = 0.5;
+/// Stars grow no further: on sound facets they have 6 sides.
+constexpr std::size_t kMostSides = 128;
 
 }  // namespace
 
@@ -25,12 +27,11 @@ void FaceStar::begin(const FaceVertex& vertex, Vec2 uv, StarExtent extent)
     spokes_ = {};
 }
 
-StarSide FaceStar::sideOf(TriangleId t, unsigned side, Vec2 shift) const
+StarSide FaceStar::sideOf(TriangleId t, unsigned side, Vec2 shift, Vec2 uvVertex) const
 {
     const FaceTriangle& record = mesh_.triangle(t);
     const unsigned from = nextCorner(side), to = previousCorner(side);
-    return {record.v[from],        record.v[to],   record.uv[from] + shift,
-            record.uv[to] + shift, record.n[side], record.s[side]};
+    return {record.v[from],        record.v[to],   record.uv[from] + shift, record.uv[to] + shift, uvVertex, record.n[side], record.s[side]};
 }
 
 void FaceStar::addTriangle(TriangleId t) { cavity_.push_back(t); }
@@ -40,7 +41,7 @@ void FaceStar::evaluateInside(TriangleId t, const FaceVertex& vertex, Vec2 uv, S
     begin(vertex, uv, extent);
     addTriangle(t);
     // All three sides first: what grows at one of them must know the corners of the others.
-    for (const unsigned side : {2u, 1u, 0u}) open_.push_back(sideOf(t, side, {}));
+    for (const unsigned side : {2u, 1u, 0u}) open_.push_back(sideOf(t, side, {}, uv));
     while (!open_.empty()) {
         const StarSide side = open_.back();
         open_.pop_back();
@@ -48,8 +49,7 @@ void FaceStar::evaluateInside(TriangleId t, const FaceVertex& vertex, Vec2 uv, S
     }
 }
 
-void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, StarExtent extent,
-                              const std::array<SegmentId, 2>& halves)
+void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, StarExtent extent, const std::array<SegmentId, 2>& halves, std::optional<Vec2> uvBehind)
 {
     begin(vertex, uv, extent);
     const TriangleId t = side.triangle();
@@ -59,14 +59,15 @@ void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, 
     std::size_t fromOther = 0;
     if (isClosed_) {
         const TriangleId s = other.triangle();
-        const Vec2 shift = mesh_.shiftAcross(geometry_, side);
+        const Vec2 shift = uvBehind ? Vec2{} : mesh_.shiftAcross(geometry_, side);
+        const Vec2 uvThere = uvBehind.value_or(uv);
         addTriangle(s);
-        open_.push_back(sideOf(s, previousCorner(other.edge()), shift));
-        open_.push_back(sideOf(s, nextCorner(other.edge()), shift));
+        open_.push_back(sideOf(s, previousCorner(other.edge()), shift, uvThere));
+        open_.push_back(sideOf(s, nextCorner(other.edge()), shift, uvThere));
         fromOther = open_.size();
     }
-    open_.push_back(sideOf(t, previousCorner(side.edge()), {}));
-    open_.push_back(sideOf(t, nextCorner(side.edge()), {}));
+    open_.push_back(sideOf(t, previousCorner(side.edge()), {}, uv));
+    open_.push_back(sideOf(t, nextCorner(side.edge()), {}, uv));
     spokes_[0] = {0, halves[1]};
     bool isOtherBegun = false;
     while (!open_.empty()) {
@@ -91,6 +92,7 @@ bool FaceStar::isOnPolygon(VertexId v) const
 bool FaceStar::isToBeRemoved(const StarSide& side) const
 {
     if (extent_ == StarExtent::Least || side.segment.isValid() || !side.outer.isValid()) return false;
+    if (sides_.size() + open_.size() >= kMostSides) return false;
     const VertexId apex = mesh_.apex(side.outer);
     const FaceVertex& a = mesh_.vertex(side.a);
     const FaceVertex& b = mesh_.vertex(side.b);
@@ -118,8 +120,8 @@ void FaceStar::grow(const StarSide& side)
                                                           : geometry_.shiftBetween(record.uv[a], side.uvA);
     addTriangle(t);
     // From a over the apex to b; the side opposite of b comes first.
-    open_.push_back(sideOf(t, a, shift));
-    open_.push_back(sideOf(t, b, shift));
+    open_.push_back(sideOf(t, a, shift, side.uvVertex));
+    open_.push_back(sideOf(t, b, shift, side.uvVertex));
 }
 
 bool FaceStar::isFolded() const
@@ -160,7 +162,7 @@ VertexId FaceStar::commit()
     while (made_.size() < count) made_.push_back(mesh_.allocateTriangle());
     for (std::size_t i = 0; i < count; ++i) {
         const StarSide& side = sides_[i];
-        mesh_.writeTriangle(made_[i], {v, side.a, side.b}, {uv_, side.uvA, side.uvB});
+        mesh_.writeTriangle(made_[i], {v, side.a, side.b}, {side.uvVertex, side.uvA, side.uvB});
         mesh_.triangle(made_[i]).s[0] = side.segment;
         mesh_.vertex(side.a).triangle = made_[i];
         mesh_.vertex(side.b).triangle = made_[i];

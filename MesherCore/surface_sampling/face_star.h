@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace mesher {
@@ -21,8 +22,9 @@ struct StarSide
 {
     VertexId a;
     VertexId b;
-    Vec2 uvA;  ///< in the image of the new vertex
+    Vec2 uvA;
     Vec2 uvB;
+    Vec2 uvVertex;  ///< of the new vertex, in the same image
     EdgeLink outer;  ///< invalid at the border of the face
     SegmentId segment;
 };
@@ -41,13 +43,15 @@ public:
     /// Of a vertex inside of a triangle; the parameters in the triangle's image.
     void evaluateInside(TriangleId t, const FaceVertex& vertex, Vec2 uv, StarExtent extent);
     /// Of a vertex on a side; the parameters in the image of the side's triangle. If the side is a segment, `halves` are what
-    /// it becomes: from its start to the vertex, and on to its end.
+    /// it becomes: from its start to the vertex, and on to its end. `uvBehind` are the parameters in the image of the triangle
+    /// behind a seam; without them it is brought to the same image.
     void evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, StarExtent extent,
-                        const std::array<SegmentId, 2>& halves);
+                        const std::array<SegmentId, 2>& halves, std::optional<Vec2> uvBehind = {});
 
     [[nodiscard]] const std::vector<StarSide>& sides() const { return sides_; }
     [[nodiscard]] const std::vector<TriangleId>& cavity() const { return cavity_; }
     [[nodiscard]] const FaceVertex& vertex() const { return vertex_; }
+    /// In the image of the triangle it was evaluated in.
     [[nodiscard]] Vec2 parameters() const { return uv_; }
     [[nodiscard]] bool isClosed() const { return isClosed_; }
     [[nodiscard]] bool isFolded() const;
@@ -69,7 +73,7 @@ private:
 
     void begin(const FaceVertex& vertex, Vec2 uv, StarExtent extent);
     void addTriangle(TriangleId t);
-    [[nodiscard]] StarSide sideOf(TriangleId t, unsigned side, Vec2 shift) const;
+    [[nodiscard]] StarSide sideOf(TriangleId t, unsigned side, Vec2 shift, Vec2 uvVertex) const;
     void grow(const StarSide& side);
     [[nodiscard]] bool isToBeRemoved(const StarSide& side) const;
     [[nodiscard]] bool isOnPolygon(VertexId v) const;

@@ -74,7 +74,9 @@ FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
     constexpr double kHidden = 4.0;
     if (options_.maxNormalDeviation < 90.0 || leastAgreement_ > 0.0) {
         const double agreement = normalAgreement(a, b, c);
-        if (agreement < leastAgreement_) excess = std::max(excess, kHidden * (2.0 - agreement));
+        const double longest = shape.squaredSide[shape.longest];
+        const bool isTiny = longest <= options_.leastCurvatureSize * options_.leastCurvatureSize;
+        if (agreement < leastAgreement_ && !isTiny) excess = std::max(excess, kHidden * (2.0 - agreement));
     }
     if (excess > 1.0) return {FacetNeed::Size, std::sqrt(excess)};
     if (shape.squaredRatio() > squaredRatioLimit_)

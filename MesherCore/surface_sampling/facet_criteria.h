@@ -25,7 +25,8 @@ struct FacetCriteriaOptions
     double maxNormalDeviation = 60.0;
     /// Wanted edge lengths; null for no wish.
     const SizingField* sizes = nullptr;
-    /// Curvature asks for no edges shorter than this, model units: it keeps the apex of a cone from being refined without end.
+    /// Curvature and normals ask for no edges shorter than this, model units: it keeps the apex of a cone, and a crease, from
+    /// being refined without end.
     double leastCurvatureSize = 0.0;
 };
 

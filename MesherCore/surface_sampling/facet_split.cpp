@@ -4,7 +4,9 @@
 #include "surface_sampling/face_walk.h"
 #include "surface_sampling/facet_measures.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace mesher {
@@ -63,6 +65,14 @@ bool FacetSplitter::encroaches(const Vec3& point, const Vec3& a, const Vec3& b) 
            cosine < encroachmentCosine_ * std::sqrt(squaredLength(a - point) * squaredLength(b - point));
 }
 
+bool FacetSplitter::isLargerThanCurvature(TriangleId t) const
+{
+    const FaceTriangle& record = mesh_.triangle(t);
+    double radius = std::numeric_limits<double>::infinity();
+    for (const VertexId v : record.v) radius = std::min(radius, mesh_.vertex(v).curvatureRadius);
+    return shapeOf(mesh_, t).squaredRadius > radius * radius;
+}
+
 std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
 {
     const FaceTriangle& record = mesh_.triangle(t);
@@ -89,21 +99,28 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
     return facts;
 }
 
-FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent)
+FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, bool mayHalve)
 {
     encroached_.clear();
+    const auto halve = [&] {
+        return mayHalve ? evaluateLongestEdge(t, extent) : FacetSplitStatus::NotFound;
+    };
+    if (mayHalve && isLargerThanCurvature(t)) return evaluateLongestEdge(t, extent);
     const std::optional<SurfaceFacts> centre = findCentre(t);
-    if (!centre) return evaluateLongestEdge(t, extent);
+    if (!centre) return halve();
     const FaceWalk walk = walkToPoint(mesh_, geometry_, t, centre->position);
     switch (walk.outcome) {
-        case FaceWalk::Outcome::Lost: ++counts_.lostWalks; return evaluateLongestEdge(t, extent);
+        case FaceWalk::Outcome::Lost: ++counts_.lostWalks; return halve();
         case FaceWalk::Outcome::Blocked:
             encroached_.push_back(mesh_.segment(walk.side));
             return FacetSplitStatus::Encroaches;
         case FaceWalk::Outcome::Inside: break;
     }
     star_.evaluateInside(walk.triangle, vertexAt(*centre), centre->parameters - walk.shift, extent);
-    if (star_.isFolded()) return evaluateLongestEdge(t, extent);
+    if (star_.isFolded()) {
+        ++counts_.foldedStars;
+        return halve();
+    }
     return judgeStar();
 }
 

@@ -37,7 +37,8 @@ struct FacetSplitCounts
 };
 
 /// Finds the vertex that removes a facet: at the centre of its surface ball, else at the projection of its circumcentre, else
-/// in the middle of its longest edge; and the star that the vertex will have. Nothing is changed.
+/// in the middle of its longest edge, which comes first where the facet is larger than the surface's radius of curvature, so
+/// that balls say nothing; and the star that the vertex will have. Nothing is changed.
 /// Guarantees   the vertex is an exact point of the surface that a walk over the facets has found to be in the face
 /// Reference    [chew1993]; thesis §3.3.2.3
 class FacetSplitter
@@ -46,7 +47,8 @@ public:
     FacetSplitter(FaceMesh& mesh, const FaceGeometry& geometry, const FacetCriteria& criteria,
                   const FacetSplitOptions& options);
 
-    [[nodiscard]] FacetSplitStatus evaluate(TriangleId t, StarExtent extent);
+    /// Without `mayHalve` only centres are tried: halving edges makes facets small, not good.
+    [[nodiscard]] FacetSplitStatus evaluate(TriangleId t, StarExtent extent, bool mayHalve);
     /// What a split that is Ready will do.
     [[nodiscard]] FaceStar& star() { return star_; }
     /// Segments between the facet and its new vertex, or in whose balls that would lie.
@@ -58,6 +60,7 @@ public:
     [[nodiscard]] bool encroaches(const Vec3& point, const Vec3& a, const Vec3& b) const;
 
 private:
+    [[nodiscard]] bool isLargerThanCurvature(TriangleId t) const;
     [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);
     [[nodiscard]] FacetSplitStatus evaluateLongestEdge(TriangleId t, StarExtent extent);
     [[nodiscard]] FacetSplitStatus judgeStar();

@@ -41,7 +41,7 @@ std::optional<Error> refuseOptions(const SurfaceSamplingOptions& options)
 }
 
 /// Curvature asks for nothing smaller than this share of the model.
-constexpr double kLeastCurvatureShare = 1e-4;
+constexpr double kLeastCurvatureShare = 2e-4;
 
 FaceRefinementOptions refinementOptions(const BrepModel& model, const SurfaceSamplingOptions& options)
 {

@@ -92,7 +92,7 @@ void SampledSurface::appendStar(BrepFaceId f, const FaceStar& star, SurfaceSplit
     for (const StarSide& side : star.sides()) {
         split.added.push_back({{NodeId(), mesh.vertex(side.a).node, mesh.vertex(side.b).node},
                                f,
-                               {star.parameters(), side.uvA, side.uvB}});
+                               {side.uvVertex, side.uvA, side.uvB}});
     }
 }
 
@@ -124,7 +124,7 @@ void SampledSurface::evaluateFacet(FacetId facet, SurfaceSplitExtent extent, Sur
     reset(split);
     const BrepFaceId f = mesh_.facets[facet].face;
     FacetSplitter& splitter = faces_->face(f)->refiner.splitter();
-    switch (splitter.evaluate(triangleOf_[facet], starExtentOf(extent))) {
+    switch (splitter.evaluate(triangleOf_[facet], starExtentOf(extent), true)) {
         case FacetSplitStatus::NotFound: return;
         case FacetSplitStatus::TooSmall: split.status = SurfaceSplitStatus::TooSmall; return;
         case FacetSplitStatus::Encroaches:
@@ -163,14 +163,15 @@ void SampledSurface::commitFace(BrepFaceId f, const SurfaceSplit& split, Surface
     for (const SurfaceFacet& facet : split.added) {
         if (facet.face != f) continue;
         if (!centre.isValid()) {
-            SurfaceFacts facts = face.geometry.at(facet.parameters[0]);
-            FaceVertex vertex = face.refiner.splitter().vertexAt(facts);
+            FaceVertex vertex = face.refiner.splitter().vertexAt(face.geometry.at(facet.parameters[0]));
             vertex.position = split.node.position;
             vertex.node = result.node;
             vertex.isFree = split.node.entity.dimension == 2;
             centre = mesh.addVertex(vertex);
             if (!vertex.isFree) face.refiner.setVertexOf(result.node, centre);
         }
+        // On the seam of a face that meets itself at an angle there is no one normal.
+        mesh.vertex(centre).keepNormal(face.geometry.at(facet.parameters[0]).normal);
         added.push_back({{centre, vertexOf(facet.node[1]), vertexOf(facet.node[2])}, facet.parameters});
     }
     std::vector<NewSegmentSide> sides;

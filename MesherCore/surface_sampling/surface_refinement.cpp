@@ -1,11 +1,19 @@
 #include "surface_sampling/surface_refinement.h"
 
+#include "surface_sampling/face_flips.h"
 #include "surface_sampling/facet_measures.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace mesher {
+namespace {
+
+/// Far more than a vertex of a sound mesh needs.
+constexpr std::size_t kMostFlipsAround = 200;
+
+}  // namespace
+
 
 FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCounts& other)
 {
@@ -175,7 +183,7 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         ++counts_.leftAtSmallAngles;
         return;
     }
-    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay);
+    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need == FacetNeed::Size);
     if (status == FacetSplitStatus::Ready) {
         splitter_.star().commit();
         queueMade(splitter_.star().made());
@@ -231,27 +239,37 @@ bool FaceRefiner::removeApex(EdgeLink side)
     return true;
 }
 
-void FaceRefiner::evaluateOnSide(EdgeLink side, const SegmentVertex& split, StarExtent extent)
+SurfaceFacts FaceRefiner::factsOnSide(EdgeLink side, const Vec3& position) const
 {
     const FaceTriangle& record = mesh_.triangle(side.triangle());
-    const VertexId from = mesh_.from(side), to = mesh_.to(side);
-    const double before = length(split.position - mesh_.position(from));
-    const double after = length(split.position - mesh_.position(to));
+    const double before = length(position - mesh_.position(mesh_.from(side)));
+    const double after = length(position - mesh_.position(mesh_.to(side)));
     const double share = before + after > 0.0 ? before / (before + after) : 0.5;
-    const Vec2 uvFrom = record.uv[nextCorner(side.edge())], uvTo = record.uv[previousCorner(side.edge())];
-    const SurfaceFacts facts = geometry_.projected(split.position, uvFrom + share * (uvTo - uvFrom));
+    const Vec2 from = record.uv[nextCorner(side.edge())], to = record.uv[previousCorner(side.edge())];
+    return geometry_.projected(position, from + share * (to - from));
+}
+
+void FaceRefiner::evaluateOnSide(EdgeLink side, const SegmentVertex& split, StarExtent extent)
+{
+    const SurfaceFacts facts = factsOnSide(side, split.position);
     FaceVertex vertex = splitter_.vertexAt(facts);
     vertex.isFree = false;
     vertex.position = split.position;
     vertex.node = split.node;
-    const bool isAlong = mesh_.vertex(from).node == split.ends[0];
+    std::optional<Vec2> uvBehind;
+    if (const EdgeLink other = mesh_.across(side); other.isValid()) {
+        const SurfaceFacts behind = factsOnSide(other, split.position);
+        uvBehind = behind.parameters;
+        vertex.keepNormal(behind.normal);
+    }
+    const bool isAlong = mesh_.vertex(mesh_.from(side)).node == split.ends[0];
     const std::array<SegmentId, 2> halves =
         isAlong ? split.halves : std::array<SegmentId, 2>{split.halves[1], split.halves[0]};
     FaceStar& star = splitter_.star();
-    star.evaluateOnSide(side, vertex, facts.parameters, extent, halves);
+    star.evaluateOnSide(side, vertex, facts.parameters, extent, halves, uvBehind);
     if (extent == StarExtent::Least || !star.isFolded()) return;
     ++counts_.forcedStars;
-    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves);
+    star.evaluateOnSide(side, vertex, facts.parameters, StarExtent::Least, halves, uvBehind);
 }
 
 bool FaceRefiner::evaluateOnSegment(const SegmentVertex& split, StarExtent extent)
@@ -259,6 +277,25 @@ bool FaceRefiner::evaluateOnSegment(const SegmentVertex& split, StarExtent exten
     const EdgeLink side = sideOf(split);
     if (side.isValid()) evaluateOnSide(side, split, extent);
     return side.isValid();
+}
+
+/// The star of a vertex that could not be made Delaunay at once: edge by edge, as far as no facet folds.
+void FaceRefiner::flipAround(VertexId v)
+{
+    std::vector<EdgeLink> suspects;
+    mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) { suspects.push_back(opposite); });
+    for (std::size_t flips = 0; !suspects.empty() && flips < kMostFlipsAround;) {
+        const EdgeLink side = suspects.back();
+        suspects.pop_back();
+        if (isLocallyDelaunay(mesh_, side) || obstacleToFlip(mesh_, side) != FlipObstacle::None) continue;
+        const EdgeLink diagonal = flip(mesh_, geometry_, side);
+        ++flips;
+        for (const EdgeLink half : {diagonal, mesh_.across(diagonal)}) {
+            suspects.emplace_back(half.triangle(), 1u);
+            suspects.emplace_back(half.triangle(), 2u);
+            queueTriangle(half.triangle());
+        }
+    }
 }
 
 void FaceRefiner::insertOnSegment(const SegmentVertex& split)
@@ -269,10 +306,12 @@ void FaceRefiner::insertOnSegment(const SegmentVertex& split)
         side = sideOf(split);
     if (!side.isValid()) return;
     evaluateOnSide(side, split, StarExtent::Delaunay);
+    const std::size_t forcedBefore = counts_.forcedStars;
     const VertexId v = splitter_.star().commit();
     vertexOf_.insert(split.node, v);
     ++counts_.boundaryInsertions;
-    queueMade(splitter_.star().made());
+    if (counts_.forcedStars != forcedBefore) flipAround(v);
+    mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) { queueTriangle(opposite.triangle()); });
     proposeAround(v);
 }
 

@@ -114,6 +114,8 @@ private:
     void proposeIfEncroached(EdgeLink side);
     [[nodiscard]] EdgeLink sideOf(const SegmentVertex& split) const;
     bool removeApex(EdgeLink side);
+    void flipAround(VertexId v);
+    [[nodiscard]] SurfaceFacts factsOnSide(EdgeLink side, const Vec3& position) const;
     void evaluateOnSide(EdgeLink side, const SegmentVertex& split, StarExtent extent);
 
     FaceMesh& mesh_;

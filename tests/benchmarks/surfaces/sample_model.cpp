@@ -1,5 +1,5 @@
 // Samples the surfaces of a CAD file, checks the result and prints one line of JSON:
-//     sample_model FILE [--share S] [--size H] [--rho R] [--turn N] [--sag D] [--lens A] [--threads N] [--angle A] [--off FILE]
+//     sample_model FILE [--share S] [--size H] [--rho R] [--turn N] [--sag D] [--lens A] [--threads N] [--angle A] [--max VERTICES] [--off FILE]
 // S is the wanted edge length as a share of the diagonal of the model's box.
 
 #include "base/run_context.h"
@@ -47,6 +47,21 @@ Angles measure(const SurfaceMesh& mesh)
     return angles;
 }
 
+/// One line for each face.
+void printFaces(const BrepModel& model, const SurfaceSample& sample)
+{
+    for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
+        const SampledFace* face = sample.surface->faces().face(BrepFaceId(f));
+        if (face == nullptr) continue;
+        const FaceRefinementCounts c = face->refiner.counts();
+        std::cerr << nameOf(BrepFaceId(f)) << " kind " << static_cast<int>(model.faces[BrepFaceId(f)].surface->kind())
+                  << " triangles " << face->mesh.triangleCount() << " size " << c.sizeInsertions << " quality "
+                  << c.qualityInsertions << " boundary " << c.boundaryInsertions << " left " << c.leftForResolution
+                  << " lost " << c.splits.lostWalks << " folded " << c.splits.foldedStars << " edges "
+                  << c.splits.splitEdges << " projected " << c.splits.projectedCentres << '\n';
+    }
+}
+
 void writeOff(const SurfaceMesh& mesh, const std::string& path)
 {
     std::ofstream out(path);
@@ -74,6 +89,7 @@ int main(int count, char** words)
         return 2;
     }
     double share = 0.0;
+    bool isByFace = false;
     std::string off;
     SurfaceSamplingOptions options;
     options.limits.maxVertices = 2'000'000;
@@ -89,6 +105,8 @@ int main(int count, char** words)
         if (name == "--lens") options.encroachmentAngle = value;
         if (name == "--angle") options.facets.minAngle = value;
         if (name == "--threads") settings.threads = static_cast<unsigned>(value);
+        if (name == "--max") options.limits.maxVertices = static_cast<std::uint64_t>(value);
+        if (name == "--faces") isByFace = value != 0.0;
         if (name == "--off") off = words[i + 1];
     }
     const auto read = readModel(words[1]);
@@ -107,6 +125,7 @@ int main(int count, char** words)
     }
     const SurfaceMesh& mesh = sample->surface->mesh();
     if (!off.empty()) writeOff(mesh, off);
+    if (isByFace) printFaces(read->model, *sample);
     const Angles angles = measure(mesh);
     const SurfaceCheck check = checkSurfaceMesh(read->model, mesh);
     const SurfaceSamplingCounts& c = sample->counts;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/vec.h"
+#include "brep/brep_model.h"
+#include "mesh/surface_mesh.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace mesher {
+
+/// Two facets that have more in common than the nodes and the segments that they share.
+struct FacetIntersection
+{
+    FacetId first;
+    FacetId second;
+    Vec3 point;  ///< near it
+};
+
+/// All pairs of facets of a surface mesh that intersect, touch, or overlap; exact. Pairs of one plane face are left out: its
+/// facets are a triangulation of the plane.
+/// Guarantees   ascending in (first, second)
+/// Cost         O(n log n) for facets of bounded shape, by a tree of boxes
+[[nodiscard]] std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh);
+
+}  // namespace mesher
