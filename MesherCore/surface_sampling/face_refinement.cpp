@@ -45,9 +45,6 @@ public:
 
     FaceRefinement run()
     {
-        for (const Vec2 seed : seedsOf(face_)) {
-            if (insertFacePoint(face_, seed, hint_, t_)) ++result_.seeds;
-        }
         for (std::uint32_t i = 0; i < t_.mesh().triangleSlots(); ++i) enqueue(TriangleId(i));
         while (!queue_.empty()) {
             const QueuedTriangle entry = queue_.back();
@@ -123,17 +120,29 @@ private:
         if (vanishes(t)) return;
         const Departure departure = departureOf(t);
         if (!departure.isBad) return;
+        if (levelPole(t)) {
+            // It may not be one of the triangles that the new image changed.
+            enqueue(t);
+            return;
+        }
         if (departure.isInside && insertAt(centreOf(t), t)) return;
         std::array<unsigned, 3> sides{0, 1, 2};
         const double most = *std::max_element(departure.turn.begin(), departure.turn.end());
         std::stable_sort(sides.begin(), sides.end(), [&](unsigned a, unsigned b) {
-            return most > kSlightTurn ? departure.turn[a] > departure.turn[b]
-                                      : sideLength(t, a) > sideLength(t, b);
+            // Along a meridian of a pole there is nothing to be gained by further points of the meridian.
+            if (endsInPole(t, a) != endsInPole(t, b)) return endsInPole(t, a);
+            return most > kSlightTurn && !endsInPole(t, a) ? departure.turn[a] > departure.turn[b]
+                                                           : sideLength(t, a) > sideLength(t, b);
         });
         for (const unsigned side : sides) {
             if (splitSide(EdgeLink(t, side))) return;
         }
         ++result_.givenUp;
+    }
+
+    [[nodiscard]] bool endsInPole(TriangleId t, unsigned i) const
+    {
+        return corner(t, nextCorner(i)).isPole || corner(t, previousCorner(i)).isPole;
     }
 
     [[nodiscard]] double sideLength(TriangleId t, unsigned i) const
@@ -156,12 +165,34 @@ private:
         return true;
     }
 
+    /// A triangle at a pole is lifted to what lies between its other corners, not to what it covers in the plane: brings an
+    /// image of the pole level with one of them.
+    bool levelPole(TriangleId t)
+    {
+        for (unsigned i = 0; i < 3; ++i) {
+            if (!corner(t, i).isPole) continue;
+            const VertexId pole = t_.mesh().triangle(t).v[i];
+            for (const unsigned k : {nextCorner(i), previousCorner(i)}) {
+                const FacePoint other = corner(t, k);
+                if (other.isPole) continue;
+                const auto vertex = insertPoleImage(pole, other, t, t_);
+                if (vertex) return enqueueAround(*vertex);
+            }
+        }
+        return false;
+    }
+
     bool insertAt(Vec2 uv, TriangleId hint)
     {
         const auto vertex = insertFacePoint(face_, uv, hint, t_);
         if (!vertex) return false;
+        return enqueueAround(*vertex);
+    }
+
+    bool enqueueAround(VertexId vertex)
+    {
         ++result_.insertions;
-        t_.mesh().forEachTriangleAround(*vertex, [&](EdgeLink link) {
+        t_.mesh().forEachTriangleAround(vertex, [&](EdgeLink link) {
             enqueue(link.triangle());
             return true;
         });
@@ -175,17 +206,24 @@ private:
     FaceTriangulation& t_;
     double cosine_ = 0.5;
     double floor_ = 0.0;
-    TriangleId hint_;
     std::vector<QueuedTriangle> queue_;
     FaceRefinement result_;
 };
 
 }  // namespace
 
+std::size_t seedFace(const BrepFace& face, FaceTriangulation& t)
+{
+    std::size_t inserted = 0;
+    for (const Vec2 seed : seedsOf(face)) {
+        if (insertFacePoint(face, seed, TriangleId(), t)) ++inserted;
+    }
+    return inserted;
+}
+
 FaceRefinement followSurface(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
                              const InitialFaceMeshOptions& options, FaceTriangulation& t)
 {
-    if (face.surface->kind() == SurfaceKind::Plane) return {};
     return Follower(face, outline, chains, options, t).run();
 }
 
