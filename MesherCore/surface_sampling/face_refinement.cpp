@@ -45,10 +45,13 @@ public:
 
     FaceRefinement run()
     {
+        // What is wrong with the chains comes first: points inside of the face cannot mend it.
         for (std::uint32_t i = 0; i < t_.mesh().triangleSlots(); ++i) enqueue(TriangleId(i));
-        while (!queue_.empty()) {
-            const QueuedTriangle entry = queue_.back();
-            queue_.pop_back();
+        const std::size_t count = queue_.size();
+        while (next_ < count) improve(queue_[next_++].triangle);
+        phase_ = t_.tooCoarse.empty() ? Phase::Points : Phase::Named;
+        while (next_ < queue_.size()) {
+            const QueuedTriangle entry = queue_[next_++];
             const Triangle2d& triangle = t_.mesh().triangle(entry.triangle);
             if (!t_.mesh().isAlive(entry.triangle) || triangle.generation != entry.generation) continue;
             if (result_.insertions >= options_.maxPointsPerFace) {
@@ -59,10 +62,24 @@ public:
         }
         std::sort(t_.tooCoarse.begin(), t_.tooCoarse.end());
         t_.tooCoarse.erase(std::unique(t_.tooCoarse.begin(), t_.tooCoarse.end()), t_.tooCoarse.end());
+        if (!t_.tooCoarse.empty()) result_.isComplete = true;
         return result_;
     }
 
 private:
+    enum class Phase
+    {
+        Chains,  ///< segments are named, what takes points is left for later
+        Points,
+        Named  ///< segments were named after points had been inserted: the face is begun anew with finer chains
+    };
+
+    /// A triangle that takes points has to wait until the chains are well.
+    void postpone(TriangleId t)
+    {
+        if (phase_ == Phase::Chains) enqueue(t);
+    }
+
     void enqueue(TriangleId t)
     {
         if (t_.mesh().isAlive(t) && t_.isInside(t)) queue_.push_back({t, t_.mesh().triangle(t).generation});
@@ -120,6 +137,8 @@ private:
         if (vanishes(t)) return;
         const Departure departure = departureOf(t);
         if (!departure.isBad) return;
+        const bool isAtPole = corner(t, 0).isPole || corner(t, 1).isPole || corner(t, 2).isPole;
+        if (phase_ != Phase::Points && (isAtPole || departure.isInside)) return postpone(t);
         if (levelPole(t)) {
             // It may not be one of the triangles that the new image changed.
             enqueue(t);
@@ -135,6 +154,8 @@ private:
                                                            : sideLength(t, a) > sideLength(t, b);
         });
         for (const unsigned side : sides) {
+            const bool isPiece = t_.mesh().isConstrained(EdgeLink(t, side));
+            if (!isPiece && phase_ != Phase::Points) return postpone(t);
             if (splitSide(EdgeLink(t, side))) return;
         }
         ++result_.givenUp;
@@ -162,6 +183,7 @@ private:
         const SegmentId segment = outline_.pieces[*piece].segment;
         if (!chains_.splitPlace(segment)) return false;
         t_.tooCoarse.push_back(segment);
+        if (phase_ == Phase::Points) phase_ = Phase::Named;
         return true;
     }
 
@@ -206,7 +228,9 @@ private:
     FaceTriangulation& t_;
     double cosine_ = 0.5;
     double floor_ = 0.0;
-    std::vector<QueuedTriangle> queue_;
+    std::vector<QueuedTriangle> queue_;  ///< first in, first out
+    std::size_t next_ = 0;
+    Phase phase_ = Phase::Chains;
     FaceRefinement result_;
 };
 
