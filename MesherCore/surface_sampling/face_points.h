@@ -10,6 +10,11 @@ namespace mesher {
 /// the face, or on a vertex or piece of the outline.
 std::optional<VertexId> insertFacePoint(const BrepFace& face, Vec2 uv, TriangleId hint, FaceTriangulation& t);
 
+/// Inserts a further image of a pole on the pole's line, level with `other`, so that they can be joined by a straight side.
+/// Nothing is inserted if there is one, or if rounding puts it off the line.
+std::optional<VertexId> insertPoleImage(VertexId pole, const FacePoint& other, TriangleId hint,
+                                        FaceTriangulation& t);
+
 /// The parameters in the middle of a side in the plane.
 [[nodiscard]] Vec2 middleOf(const FacePoint& a, const FacePoint& b);
 

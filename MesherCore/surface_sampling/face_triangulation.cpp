@@ -25,6 +25,9 @@ constexpr int kUnknown = std::numeric_limits<int>::min();
 // A piece that bulges by less of the outline's size is straight.
 constexpr double kStraight = 1e-9;
 
+// The width of a face beside a curved piece, in bulges of the piece.
+constexpr double kBulgeFactor = 2.0;
+
 /// The pieces on one edge: which way they run, in sum, from the lower vertex to the higher.
 struct EdgeUse
 {
@@ -238,7 +241,8 @@ private:
         return failure(somewhere, "its loops overlap", "repair the face's wires");
     }
 
-    /// A vertex between a piece and its parameter curve is on the wrong side of the piece.
+    /// A vertex between a piece and its parameter curve is on the wrong side of the piece; one that is not much farther away
+    /// sees a piece where the face has much more or less width.
     void findHiddenVertices()
     {
         const Triangulation2d& mesh = result_.mesh();
@@ -246,9 +250,10 @@ private:
             const OutlinePiece& piece = outline_.pieces[index];
             if (!isCurved(piece)) continue;
             const EdgeLink left = mesh.findEdge(vertices_[piece.from], vertices_[piece.to]);
-            const EdgeLink side = piece.bulge > 0.0 ? left : mesh.across(left);
-            if (mesh.triangle(side.triangle()).isGhost()) continue;
-            if (isUnderBulge(piece, positionOf(mesh.apex(side)))) propose(index);
+            for (const EdgeLink side : {left, mesh.across(left)}) {
+                if (mesh.triangle(side.triangle()).isGhost()) continue;
+                if (isUnderBulge(piece, positionOf(mesh.apex(side)))) propose(index);
+            }
         }
     }
 
@@ -259,7 +264,7 @@ private:
         const double share = dot(p - a, chord) / squaredLength(chord);
         if (!(share > 0.0 && share < 1.0)) return false;
         const double height = std::abs(cross(chord, p - a)) / length(chord);
-        return height <= std::abs(piece.bulge) * 4.0 * share * (1.0 - share);
+        return height <= kBulgeFactor * std::abs(piece.bulge) * 4.0 * share * (1.0 - share);
     }
 
     [[nodiscard]] Error failure(std::uint32_t point, std::string message, std::string remedy) const

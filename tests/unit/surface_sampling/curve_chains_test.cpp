@@ -168,15 +168,39 @@ TEST(CurveChains, SplitTheFirstSegmentOfAnEdge)
 TEST(CurveChains, DoNotSplitBelowTheFloor)
 {
     Chained c{*makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {}, {}};
-    c.model.edges[BrepEdgeId(0)].tolerance = 0.02;
+    c.model.edges[BrepEdgeId(0)].tolerance = 0.03;
+    for (BrepFace& face : c.model.faces) {
+        for (BrepCoedge& coedge : face.loops[0].coedges)
+            coedge.gap = coedge.edge == BrepEdgeId(0) ? 0.02 : 0.0;
+    }
     chainInto(c);
-    EXPECT_DOUBLE_EQ(c.chains.floorOf(BrepEdgeId(0)), 0.2);
+    EXPECT_DOUBLE_EQ(c.chains.floorOf(c.chains.firstOf(BrepEdgeId(0))), 0.2);
     const auto halves = c.chains.split(c.chains.firstOf(BrepEdgeId(0)), c.nodes);
     ASSERT_TRUE(halves);
     const auto quarters = c.chains.split(halves->halves[0], c.nodes);
     ASSERT_TRUE(quarters);
     EXPECT_FALSE(c.chains.split(quarters->halves[0], c.nodes));
     EXPECT_TRUE(c.chains.isAlive(quarters->halves[0]));
+}
+
+TEST(CurveChains, TakeMeasuredGapsForToleranceThatIsTooLarge)
+{
+    Chained c{*makeCylinder(Axes{}, 1.0, 1.0), {}, {}};
+    c.model.edges[BrepEdgeId(0)].tolerance = 5.0;
+    chainInto(c);
+    EXPECT_EQ(countOf(c, 0), 8u);
+}
+
+TEST(CurveChains, KeepAwayFromAVertexOffItsCurves)
+{
+    Chained c{*makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {}, {}};
+    c.model.vertices[BrepVertexId(0)].tolerance = 0.05;
+    c.model.vertices[BrepVertexId(0)].position = {0.0, 0.0, -0.03};
+    chainInto(c);
+    const auto halves = c.chains.split(c.chains.firstOf(BrepEdgeId(0)), c.nodes);
+    ASSERT_TRUE(halves);
+    EXPECT_FALSE(c.chains.split(halves->halves[0], c.nodes));
+    EXPECT_TRUE(c.chains.split(halves->halves[1], c.nodes));
 }
 
 TEST(CurveChains, LeaveRightAnglesUnprotected)
