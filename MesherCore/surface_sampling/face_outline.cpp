@@ -264,13 +264,35 @@ private:
             for (std::size_t i = 0; i < last; ++i) {
                 const std::uint32_t to =
                     addPoint(strand.nodes[i + 1], strand.uv[i + 1], closenessOf(strand, i));
-                OutlinePiece piece{from, to,   strand.segments[i], loop, strand.coedge, strand.shift,
-                                   0.0,  false};
+                OutlinePiece piece = pieceBetween(from, to, loop, strand);
+                piece.segment = strand.segments[i];
                 piece.bulge = bulgeOf(strand, i);
+                piece.sag = sagOf(strand.segments[i]);
                 outline_.pieces.push_back(piece);
                 from = to;
             }
         }
+    }
+
+    static OutlinePiece pieceBetween(std::uint32_t from, std::uint32_t to, std::uint32_t loop,
+                                     const Strand& strand)
+    {
+        OutlinePiece piece;
+        piece.from = from;
+        piece.to = to;
+        piece.loop = loop;
+        piece.coedge = strand.coedge;
+        piece.shift = strand.shift;
+        return piece;
+    }
+
+    [[nodiscard]] double sagOf(SegmentId s) const
+    {
+        const SurfaceSegment& segment = chains_.segments()[s];
+        const Curve& curve = *model_.edges[segment.edge].curve;
+        if (curve.kind() == CurveKind::Line) return 0.0;
+        const Vec3 middle = 0.5 * (nodes_[segment.node[0]].position + nodes_[segment.node[1]].position);
+        return length(curve.position(0.5 * (segment.parameter[0] + segment.parameter[1])) - middle);
     }
 
     [[nodiscard]] double bulgeOf(const Strand& strand, std::size_t i) const
@@ -305,7 +327,7 @@ private:
             outline_.points[to].isPole = true;
             outline_.points[to].isPoleAlongU = isAlongU;
             if (i > 0)
-                outline_.pieces.push_back({from, to, {}, loop, strand.coedge, strand.shift, 0.0, false});
+                outline_.pieces.push_back(pieceBetween(from, to, loop, strand));
             from = to;
         }
     }

@@ -21,12 +21,25 @@ Vec3 FaceTriangulation::unitNormal(const SurfacePoint& point)
 
 namespace {
 
+// The least width of a face beside a curved piece, in sags of the piece; a third of the facets' area is wrong then.
+constexpr double kSagFactor = 2.0;
+
+}  // namespace
+
+bool FaceTriangulation::isNarrowBeside(const OutlinePiece& piece, const Vec3& a, const Vec3& b, const Vec3& p)
+{
+    const Vec3 chord = b - a;
+    const double share = dot(p - a, chord) / squaredLength(chord);
+    if (!(share > 0.0 && share < 1.0)) return false;
+    const double height = length(cross(chord, p - a)) / length(chord);
+    return height < kSagFactor * piece.sag * 4.0 * share * (1.0 - share);
+}
+
+namespace {
+
 constexpr int kUnknown = std::numeric_limits<int>::min();
 // A piece that bulges by less of the outline's size is straight.
 constexpr double kStraight = 1e-9;
-
-// The width of a face beside a curved piece, in bulges of the piece.
-constexpr double kBulgeFactor = 2.0;
 
 /// The pieces on one edge: which way they run, in sum, from the lower vertex to the higher.
 struct EdgeUse
@@ -248,13 +261,26 @@ private:
         const Triangulation2d& mesh = result_.mesh();
         for (const auto& [ends, index] : result_.pieceOf) {
             const OutlinePiece& piece = outline_.pieces[index];
-            if (!isCurved(piece)) continue;
+            if (!piece.segment.isValid()) continue;
             const EdgeLink left = mesh.findEdge(vertices_[piece.from], vertices_[piece.to]);
             for (const EdgeLink side : {left, mesh.across(left)}) {
                 if (mesh.triangle(side.triangle()).isGhost()) continue;
-                if (isUnderBulge(piece, positionOf(mesh.apex(side)))) propose(index);
+                const bool isBulgeSide = (side == left) == (piece.bulge > 0.0);
+                const VertexId apex = mesh.apex(side);
+                if (isBulgeSide && isUnderBulge(piece, positionOf(apex))) {
+                    propose(index);
+                } else if (result_.isInside(side.triangle()) && isNarrow(piece, apex) && isSplittable(piece)) {
+                    result_.tooCoarse.push_back(piece.segment);
+                }
             }
         }
+    }
+
+    [[nodiscard]] bool isNarrow(const OutlinePiece& piece, VertexId apex) const
+    {
+        const auto placeOf = [&](std::uint32_t point) { return nodes_[outline_.points[point].node].position; };
+        return FaceTriangulation::isNarrowBeside(piece, placeOf(piece.from), placeOf(piece.to),
+                                                 result_.points[apex].position);
     }
 
     [[nodiscard]] bool isUnderBulge(const OutlinePiece& piece, Vec2 p) const
@@ -264,7 +290,7 @@ private:
         const double share = dot(p - a, chord) / squaredLength(chord);
         if (!(share > 0.0 && share < 1.0)) return false;
         const double height = std::abs(cross(chord, p - a)) / length(chord);
-        return height <= kBulgeFactor * std::abs(piece.bulge) * 4.0 * share * (1.0 - share);
+        return height <= std::abs(piece.bulge) * 4.0 * share * (1.0 - share);
     }
 
     [[nodiscard]] Error failure(std::uint32_t point, std::string message, std::string remedy) const
