@@ -156,6 +156,7 @@ private:
     bool refine()
     {
         RefineVolumeOptions refinement;
+        refinement.sizing.usesLocalFeatureSize = false;
         refinement.sizing.refinement = options_.refinement;
         refinement.sizing.grading = options_.grading;
         refinement.sizing.field = sizes_.get();

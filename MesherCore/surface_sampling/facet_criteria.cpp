@@ -61,10 +61,9 @@ FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
     const FaceVertex& c = mesh.vertex(record.v[2]);
     const FacetShape shape = FacetShape::of(a.position, b.position, c.position);
     double excess = record.isForced ? kForced : 0.0;  // squared
-    const double doubled[3] = {b.size + c.size, c.size + a.size, a.size + b.size};
-    for (unsigned i = 0; i < 3; ++i) {
-        excess = std::max(excess, 4.0 * shape.squaredSide[i] / (doubled[i] * doubled[i]));
-    }
+    // Edges come out about as long as they are wanted if the circumradius is held to the wanted length over sqrt(2).
+    const double wantedSize = (a.size + b.size + c.size) / 3.0;
+    excess = std::max(excess, 2.0 * shape.squaredRadius / (wantedSize * wantedSize));
     if (options_.rho > 0.0) {
         const double radius = std::min({a.curvatureRadius, b.curvatureRadius, c.curvatureRadius});
         const double wanted = std::max(radius / (2.0 * options_.rho), options_.leastCurvatureSize);
