@@ -3,8 +3,16 @@
 #include "predicates/orient3d.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mesher {
+
+namespace {
+
+/// The slope against the plane up to which a face counts as lying in it.
+constexpr double kNearlyPlane = 1e-7;
+
+}  // namespace
 
 bool CoplanarSwap::isPositive(const TetCorners& tet) const
 {
@@ -18,26 +26,35 @@ std::array<TetCorners, 2> CoplanarSwap::tetsOn(VertexId p, VertexId q, VertexId 
     return {TetCorners{p, q, r, edge_[0]}, TetCorners{q, p, r, edge_[1]}};
 }
 
-/// Of the link of the edge, the two vertices in the plane, if they see each other across the edge.
+/// Of the link of the edge, the vertices next to the plane of edge and line on its two sides. Where coordinates are rounded
+/// what was plane is only nearly so: whether the swap is possible is then decided when the sides are filled.
 bool CoplanarSwap::findQuadrilateral(VertexId a, VertexId b)
 {
-    const Vec3& c = mesh_.position(edge_[0]);
-    const Vec3& d = mesh_.position(edge_[1]);
-    // The line crosses the edge, so one of its ends spans the plane with it.
-    const VertexId inPlane = a == edge_[0] || a == edge_[1] ? b : a;
-    unsigned found = 0;
+    const Vec3 c = mesh_.position(edge_[0]);
+    const Vec3 along = mesh_.position(edge_[1]) - c;
+    const Vec3 normal = cross(along, mesh_.position(b) - mesh_.position(a));
+    const Vec3 across = cross(normal, along);
+    if (normal == Vec3{}) return false;
+    std::array<double, 2> least{kNearlyPlane, kNearlyPlane};
+    std::array<bool, 2> isFound{};
     for (std::size_t i = 0; i < link_.size(); ++i) {
-        if (orient3d(c, d, mesh_.position(inPlane), mesh_.position(link_[i])) != Sign::Zero) continue;
-        if (found == 2) return false;
-        corner_[found++] = i;
+        const Vec3 arm = mesh_.position(link_[i]) - c;
+        const double reach = dot(across, arm) / length(across);
+        const unsigned side = reach < 0.0 ? 0 : 1;
+        const double slope = std::abs(dot(normal, arm)) / (length(normal) * std::abs(reach));
+        if (!(slope < least[side])) continue;
+        least[side] = slope;
+        corner_[side] = i;
+        isFound[side] = true;
     }
-    if (found < 2) return false;
-    // The diagonal has to pass through the inside of the edge, as seen from any vertex off the plane.
-    const Vec3& u = mesh_.position(link_[corner_[0]]);
-    const Vec3& v = mesh_.position(link_[corner_[1]]);
-    const Vec3& off = mesh_.position(link_[(corner_[0] + 1) % link_.size()]);
-    const Sign turn = orient3d(u, v, off, c);
-    return turn != Sign::Zero && turn * orient3d(u, v, off, d) == Sign::Negative;
+    if (!isFound[0] || !isFound[1]) return false;
+    const std::size_t n = link_.size();
+    if ((corner_[0] + 1) % n == corner_[1] || (corner_[1] + 1) % n == corner_[0]) return false;
+    // The diagonal has to pass through the inside of the edge.
+    const Vec3 u = mesh_.position(link_[corner_[0]]);
+    const Vec3 diagonal = mesh_.position(link_[corner_[1]]) - u;
+    const double t = dot(cross(u - c, diagonal), normal) / dot(cross(along, diagonal), normal);
+    return t > kNearlyPlane && t < 1.0 - kNearlyPlane;
 }
 
 bool CoplanarSwap::swap(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)

@@ -17,8 +17,8 @@ class CoplanarSwap
 public:
     CoplanarSwap(Triangulation3d& mesh, FlipSearch& flips) : mesh_(mesh), flips_(flips), cavities_(mesh) {}
 
-    /// The edge must be crossed by a line from `a` to `b`, which tells the plane. False, with nothing changed, if the edge or a
-    /// face at it is constrained, or the faces at it in the plane are no strictly convex quadrilateral.
+    /// The line from `a` to `b` tells the plane that it spans with the edge. False, with nothing changed, if the edge or a face
+    /// at it is constrained, or the faces at it nearest to the plane are no strictly convex quadrilateral near it.
     bool swap(const std::array<VertexId, 2>& edge, VertexId a, VertexId b);
 
 private:
