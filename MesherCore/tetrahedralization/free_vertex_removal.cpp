@@ -19,7 +19,12 @@ class FreeVertexRemover
 {
 public:
     FreeVertexRemover(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold)
-        : tets_(tets), scaffold_(scaffold), mesh_(tets.mesh()), flips_(mesh_), replacement_(mesh_), cavities_(mesh_)
+        : tets_(tets),
+          scaffold_(scaffold),
+          mesh_(tets.mesh()),
+          flips_(mesh_),
+          replacement_(mesh_),
+          cavities_(mesh_)
     {
     }
 

@@ -65,13 +65,13 @@ int main(int count, char** words)
         return 1;
     }
     const TetrahedralizationCounts& c = result->counts;
-    std::printf("{\"facets\": %zu, \"nodes\": %u, \"scaffold\": %u, \"missing_edges\": %u, \"missing_facets\": %u, "
-                "\"steiner\": %u, \"stars\": %u, \"free_left\": %u, \"failures\": %zu, \"delaunay_flips\": %llu, "
-                "\"non_delaunay\": %llu, \"seconds\": %.3f, \"facets_per_second\": %.0f}\n",
-                facets, c.nodes, c.scaffoldPoints, c.missingEdges, c.missingFacets, c.edgeSteiner + c.facetSteiner,
-                c.starVertices, c.freeVerticesLeft, result->failures.size(),
-                static_cast<unsigned long long>(c.delaunayFlips),
-                static_cast<unsigned long long>(c.nonDelaunayFaces), seconds,
-                static_cast<double>(facets) / seconds);
+    std::printf(
+        "{\"facets\": %zu, \"nodes\": %u, \"scaffold\": %u, \"missing_edges\": %u, \"missing_facets\": %u, "
+        "\"steiner\": %u, \"stars\": %u, \"free_left\": %u, \"failures\": %zu, \"delaunay_flips\": %llu, "
+        "\"non_delaunay\": %llu, \"seconds\": %.3f, \"facets_per_second\": %.0f}\n",
+        facets, c.nodes, c.scaffoldPoints, c.missingEdges, c.missingFacets, c.edgeSteiner + c.facetSteiner,
+        c.starVertices, c.freeVerticesLeft, result->failures.size(),
+        static_cast<unsigned long long>(c.delaunayFlips), static_cast<unsigned long long>(c.nonDelaunayFaces),
+        seconds, static_cast<double>(facets) / seconds);
     return 0;
 }
