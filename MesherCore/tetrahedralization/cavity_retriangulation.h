@@ -35,7 +35,7 @@ private:
 };
 
 /// Fills polyhedra with Delaunay tetrahedra of their vertices, or with the star of one more point.
-/// Reference    [si2005] [shewchuk2002cdt] for cavities that are enlarged until their faces are Delaunay
+/// Reference    [shewchuk1998] [si2005] for cavities that are enlarged until their faces are Delaunay
 class CavityRetriangulation
 {
 public:

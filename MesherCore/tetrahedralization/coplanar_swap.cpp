@@ -3,8 +3,18 @@
 #include "predicates/orient3d.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mesher {
+
+namespace {
+
+/// The slope against the plane up to which a face counts as lying in it.
+constexpr double kNearlyPlane = 1e-7;
+/// How near to the plane an added vertex may come, as a share of what is above.
+constexpr double kLeastStarShare = 1e-6;
+
+}  // namespace
 
 bool CoplanarSwap::isPositive(const TetCorners& tet) const
 {
@@ -18,26 +28,45 @@ std::array<TetCorners, 2> CoplanarSwap::tetsOn(VertexId p, VertexId q, VertexId 
     return {TetCorners{p, q, r, edge_[0]}, TetCorners{q, p, r, edge_[1]}};
 }
 
-/// Of the link of the edge, the two vertices in the plane, if they see each other across the edge.
-bool CoplanarSwap::findQuadrilateral(VertexId a, VertexId b)
+/// Of the link of the edge, the vertices near the plane of edge and line, by side. Where coordinates are rounded what was
+/// plane is only nearly so: whether a swap is possible is then decided when the sides are filled.
+bool CoplanarSwap::findPlane(VertexId a, VertexId b)
 {
-    const Vec3& c = mesh_.position(edge_[0]);
-    const Vec3& d = mesh_.position(edge_[1]);
-    // The line crosses the edge, so one of its ends spans the plane with it.
-    const VertexId inPlane = a == edge_[0] || a == edge_[1] ? b : a;
-    unsigned found = 0;
+    const Vec3 c = mesh_.position(edge_[0]);
+    along_ = mesh_.position(edge_[1]) - c;
+    normal_ = cross(along_, mesh_.position(b) - mesh_.position(a));
+    if (normal_ == Vec3{}) return false;
+    const Vec3 across = cross(normal_, along_);
+    for (auto& side : nearPlane_) side.clear();
     for (std::size_t i = 0; i < link_.size(); ++i) {
-        if (orient3d(c, d, mesh_.position(inPlane), mesh_.position(link_[i])) != Sign::Zero) continue;
-        if (found == 2) return false;
-        corner_[found++] = i;
+        const Vec3 arm = mesh_.position(link_[i]) - c;
+        const double reach = dot(across, arm) / length(across);
+        if (std::abs(dot(normal_, arm)) <= kNearlyPlane * length(normal_) * std::abs(reach))
+            nearPlane_[reach < 0.0 ? 0 : 1].push_back(i);
     }
-    if (found < 2) return false;
-    // The diagonal has to pass through the inside of the edge, as seen from any vertex off the plane.
-    const Vec3& u = mesh_.position(link_[corner_[0]]);
-    const Vec3& v = mesh_.position(link_[corner_[1]]);
-    const Vec3& off = mesh_.position(link_[(corner_[0] + 1) % link_.size()]);
-    const Sign turn = orient3d(u, v, off, c);
-    return turn != Sign::Zero && turn * orient3d(u, v, off, d) == Sign::Negative;
+    return !nearPlane_[0].empty() && !nearPlane_[1].empty();
+}
+
+/// Whether the diagonal between two vertices of the link passes through the inside of the edge.
+bool CoplanarSwap::isDiagonal(std::size_t from, std::size_t to)
+{
+    const std::size_t n = link_.size();
+    if ((from + 1) % n == to || (to + 1) % n == from) return false;
+    const Vec3 c = mesh_.position(edge_[0]);
+    const Vec3 u = mesh_.position(link_[from]);
+    const Vec3 diagonal = mesh_.position(link_[to]) - u;
+    const double t = dot(cross(u - c, diagonal), normal_) / dot(cross(along_, diagonal), normal_);
+    crossing_ = c + t * along_;
+    return t > kNearlyPlane && t < 1.0 - kNearlyPlane;
+}
+
+bool CoplanarSwap::fill(std::size_t from, std::size_t to)
+{
+    after_.clear();
+    added_.clear();
+    if (isDiagonal(from, to) && fillSide(from, to) && fillSide(to, from)) return true;
+    for (const VertexId vertex : added_) mesh_.removeVertex(vertex);
+    return false;
 }
 
 bool CoplanarSwap::swap(const std::array<VertexId, 2>& edge, VertexId a, VertexId b)
@@ -60,17 +89,17 @@ bool CoplanarSwap::swap(const std::array<VertexId, 2>& edge, VertexId a, VertexI
             if (mesh_.slotOf(previous, v) >= 0) link_.push_back(v);
         }
     }
-    if (link_.size() != ring_.size() || !findQuadrilateral(a, b)) return false;
+    if (link_.size() != ring_.size() || !findPlane(a, b)) return false;
     // The ring may turn in either sense about the edge; of the ends the first is to be in front of it.
     if (isPositive({link_[0], link_[1], edge_[0], edge_[1]})) std::swap(edge_[0], edge_[1]);
-    after_.clear();
-    added_.clear();
-    if (!fillSide(corner_[0], corner_[1]) || !fillSide(corner_[1], corner_[0])) {
-        for (const VertexId vertex : added_) mesh_.removeVertex(vertex);
-        return false;
+    for (const std::size_t from : nearPlane_[0]) {
+        for (const std::size_t to : nearPlane_[1]) {
+            if (!fill(from, to)) continue;
+            flips_.replace(ring_, after_, added_);
+            return true;
+        }
     }
-    flips_.replace(ring_, after_, added_);
-    return true;
+    return false;
 }
 
 bool CoplanarSwap::fillSide(std::size_t from, std::size_t to)
@@ -116,6 +145,25 @@ bool CoplanarSwap::fillByRing(const std::vector<VertexId>& chain)
     return true;
 }
 
+/// From the crossing of the diagonals all outer faces of the side are seen; a little off the plane the inner two are as well.
+bool CoplanarSwap::findStarPoint(const std::vector<VertexId>& chain, const CavityShell& shell,
+                                 Vec3& point) const
+{
+    Vec3 middle;
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i) middle = middle + mesh_.position(chain[i]);
+    middle = (1.0 / static_cast<double>(chain.size() - 2)) * middle;
+    for (double share = 0.25; share > kLeastStarShare; share *= 0.25) {
+        point = crossing_ + share * (middle - crossing_);
+        const bool seesAll = std::all_of(shell.faces().begin(), shell.faces().end(), [&](const auto& face) {
+            const auto& v = face.second.corner;
+            return orient3d(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]), point) ==
+                   Sign::Positive;
+        });
+        if (seesAll) return true;
+    }
+    return false;
+}
+
 bool CoplanarSwap::fillByStar(const std::vector<VertexId>& chain, std::size_t from, std::size_t to)
 {
     CavityShell shell;
@@ -131,7 +179,7 @@ bool CoplanarSwap::fillByStar(const std::vector<VertexId>& chain, std::size_t fr
         shell.add({{base[0], base[1], base[2]}, TetFace()});
     }
     Vec3 point;
-    if (!cavities_.findKernelPoint(shell, point)) return false;
+    if (!findStarPoint(chain, shell, point)) return false;
     const VertexId centre = mesh_.addVertex(point);
     added_.push_back(centre);
     for (const auto& [key, face] : shell.faces()) {

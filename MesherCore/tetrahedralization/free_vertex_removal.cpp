@@ -18,8 +18,13 @@ constexpr int kPasses = 3;
 class FreeVertexRemover
 {
 public:
-    explicit FreeVertexRemover(ConstrainedTetrahedralization& tets)
-        : tets_(tets), mesh_(tets.mesh()), flips_(mesh_), replacement_(mesh_), cavities_(mesh_)
+    FreeVertexRemover(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold)
+        : tets_(tets),
+          scaffold_(scaffold),
+          mesh_(tets.mesh()),
+          flips_(mesh_),
+          replacement_(mesh_),
+          cavities_(mesh_)
     {
     }
 
@@ -46,15 +51,19 @@ private:
         for (std::uint32_t i = 0; i < mesh_.vertexLimit(); ++i) {
             const VertexId vertex(i);
             if (!mesh_.isVertexAlive(vertex) || tets_.nodeOf[vertex].isValid()) continue;
-            if (mesh_.region(mesh_.incidentTet(vertex)) != kExteriorRegion) free.push_back(vertex);
+            const bool isKept =
+                scaffold_ == SurfaceScaffold::Kept && mesh_.classification(vertex).scaffold != 0;
+            if (!isKept && mesh_.region(mesh_.incidentTet(vertex)) != kExteriorRegion) free.push_back(vertex);
         }
         return free;
     }
 
     bool remove(VertexId vertex)
     {
-        return tets_.delaunay->remove(vertex) == RemovalStatus::Removed || contract(vertex) ||
-               contractAfterFlips(vertex) || removeWithNeighbours(vertex);
+        if (tets_.delaunay->remove(vertex) == RemovalStatus::Removed) return true;
+        if (contract(vertex)) return true;
+        // Little is to be hoped for, at high cost, from a vertex that most of a solid is joined to.
+        return hole_.size() <= kMaxHole && (contractAfterFlips(vertex) || removeWithNeighbours(vertex));
     }
 
     /// Removes edges at the vertex, one after the other, until a neighbour sees all that is left of its hole.
@@ -167,8 +176,6 @@ private:
     /// Moves the vertex into a neighbour that sees all of the hole.
     bool contract(VertexId vertex)
     {
-        mesh_.collectStar(vertex, hole_);
-        if (hole_.size() > kMaxHole) return false;
         for (const VertexId target : neighboursOf(vertex)) {
             if (!fillFrom(vertex, target)) continue;
             replacement_.replace(hole_, filling_);
@@ -194,6 +201,7 @@ private:
     }
 
     ConstrainedTetrahedralization& tets_;
+    SurfaceScaffold scaffold_;
     Triangulation3d& mesh_;
     FlipSearch flips_;
     TetReplacement3d replacement_;
@@ -204,9 +212,9 @@ private:
 
 }  // namespace
 
-FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets)
+FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold)
 {
-    return FreeVertexRemover(tets).run();
+    return FreeVertexRemover(tets, scaffold).run();
 }
 
 }  // namespace mesher

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "delaunay/constrained_tetrahedralization.h"
+#include "tetrahedralization/tetrahedralize.h"
 
 #include <cstdint>
 
@@ -13,8 +14,8 @@ struct FreeVertexRemoval
 };
 
 /// Removes the vertices inside of solids that are no nodes, scaffold points and those that recovery added, as far as the
-/// tetrahedralization stays valid without them. Those outside stay.
+/// tetrahedralization stays valid without them. Those outside stay, and scaffold points inside if they are to be Kept.
 /// Guarantees   constraints and regions stay; faces that were locally Delaunay stay so
-FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets);
+FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold);
 
 }  // namespace mesher

@@ -81,7 +81,7 @@ Result<void> insertNodes(const SurfaceMesh& surface, const TetrahedralizationOpt
     tets.delaunay = std::make_unique<Delaunay3d>(context.seed());
 
     BulkInsertionOptions3d bulk;
-    if (options.scaffold == SurfaceScaffold::Automatic && points.size() >= kLeastForScaffold)
+    if (options.scaffold != SurfaceScaffold::None && points.size() >= kLeastForScaffold)
         bulk.scaffold = ScaffoldPolicy::Automatic;
     const std::vector<Vec3> corners = boxCorners(Box3::of(points));
     points.insert(points.end(), corners.begin(), corners.end());

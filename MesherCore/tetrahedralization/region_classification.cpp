@@ -1,6 +1,7 @@
 #include "tetrahedralization/region_classification.h"
 
-#include "predicates/orient3d.h"
+#include <algorithm>
+#include <string>
 
 namespace mesher {
 
@@ -20,41 +21,38 @@ public:
             if (mesh_.isAlive(TetId(i)) && mesh_.isGhostTet(TetId(i))) give(TetId(i), kExteriorRegion);
         }
         spread();
-        for (std::uint32_t i = 0; i < surface_.facets.size(); ++i) {
-            if (!surface_.facets[FacetId(i)].isAlive()) continue;
-            if (Result<void> result = visit(FacetId(i)); !result) return result;
-        }
-        return {};
-    }
-
-private:
-    Result<void> visit(FacetId id)
-    {
-        const SurfaceFacet& facet = surface_.facets[id];
-        std::array<VertexId, 3> corner;
-        for (unsigned k = 0; k < 3; ++k) corner[k] = tets_.vertexOf[facet.node[k]];
-        const TetFace face = findFace(corner);
-        for (const TetFace side : {face, mesh_.neighbour(face)}) {
-            const VertexId apex = mesh_.vertex(side.tet(), side.face());
-            const Sign sign = orient3d(mesh_.position(corner[0]), mesh_.position(corner[1]),
-                                       mesh_.position(corner[2]), mesh_.position(apex));
-            const RegionId wanted = sides_[facet.face][sign == Sign::Positive ? 0 : 1];
-            if (isKnown_[side.tet().value] == 0) {
-                give(side.tet(), wanted);
-                spread();
-            } else if (mesh_.region(side.tet()) != wanted) {
-                return contradiction(facet, mesh_.region(side.tet()), wanted);
+        for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) {
+            const TetId tet(i);
+            if (!mesh_.isAlive(tet) || (mesh_.flags(tet) & tet_flag::kFaces) == 0) continue;
+            for (int face = 0; face < 4; ++face) {
+                if (!mesh_.isFaceConstrained({tet, face})) continue;
+                if (Result<void> result = visit({tet, face}); !result) return result;
             }
         }
         return {};
     }
 
-    /// The first facet of a star asks for the whole of it; the flood makes most others free.
-    [[nodiscard]] TetFace findFace(const std::array<VertexId, 3>& corner) const
+private:
+    Result<void> visit(TetFace side)
     {
-        const TetFace face = mesh_.findFace(corner[0], corner[1], corner[2]);
-        MESHER_INVARIANT(face.isValid());
-        return face;
+        const std::array<VertexId, 3> corner = mesh_.faceVertices(side);
+        std::array<VertexId, 3> key = corner;
+        std::sort(key.begin(), key.end());
+        const FacetId* id = tets_.facetOf.find(key);
+        MESHER_INVARIANT(id != nullptr);
+        const SurfaceFacet& facet = surface_.facets[*id];
+        // The tetrahedron is in front of its face, so in front of the facet if both turn in the same sense.
+        unsigned first = 0;
+        while (tets_.vertexOf[facet.node[first]] != corner[0]) ++first;
+        const bool isInFront = tets_.vertexOf[facet.node[(first + 1) % 3]] == corner[1];
+        const RegionId wanted = sides_[facet.face][isInFront ? 0 : 1];
+        if (isKnown_[side.tet().value] == 0) {
+            give(side.tet(), wanted);
+            spread();
+        } else if (mesh_.region(side.tet()) != wanted) {
+            return contradiction(facet, mesh_.region(side.tet()), wanted);
+        }
+        return {};
     }
 
     [[nodiscard]] Error contradiction(const SurfaceFacet& facet, RegionId found, RegionId wanted) const

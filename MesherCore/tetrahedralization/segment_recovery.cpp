@@ -123,6 +123,11 @@ bool SegmentRecovery::tryAt(const EdgeCrossing& crossing, VertexId a, VertexId b
             return true;
         }
     }
+    for (unsigned k = 0; k < 3 && depth == maxDepth_; ++k) {
+        if (swap_.swap({crossing.vertex[k], crossing.vertex[(k + 1) % 3]}, a, b) &&
+            lessens(a, b, mark, limit))
+            return true;
+    }
     return false;
 }
 

@@ -73,7 +73,7 @@ Result<Tetrahedralization> tetrahedralize(SurfaceSplitter& surface, const Region
     restoreDelaunay(budget, result);
     if (Result<void> regions = classifyRegions(result.tets, surface.mesh(), sides); !regions)
         return regions.error();
-    const FreeVertexRemoval removal = removeFreeVertices(result.tets);
+    const FreeVertexRemoval removal = removeFreeVertices(result.tets, options.scaffold);
     result.counts.freeVerticesLeft = removal.left;
     if (removal.removed > 0) restoreDelaunay(budget, result);
     result.counts.nonDelaunayFaces = countNonDelaunayFaces(result.tets.mesh(), DelaunayPart::Inside);

@@ -16,7 +16,8 @@ namespace mesher {
 enum class SurfaceScaffold : std::uint8_t
 {
     None,
-    Automatic  ///< scaffold points for large surface meshes (scaffold.h); those inside of solids are removed again
+    Automatic,  ///< scaffold points for large surface meshes (scaffold.h); those inside of solids are removed again
+    Kept  ///< the same, but they stay as vertices of the inside: the fastest way to a mesh that is to be refined anyway
 };
 
 struct TetrahedralizationOptions

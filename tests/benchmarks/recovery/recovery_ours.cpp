@@ -1,4 +1,4 @@
-// Times the tetrahedralization of a surface mesh: recovery_ours torus|sphere|cells|box SIZE [--poly FILE]. One line of JSON;
+// Times the tetrahedralization of a surface mesh: recovery_ours torus|sphere|cells|box SIZE [--kept | --poly FILE]. One line of JSON;
 // with --poly the surface goes to a file for TetGen instead (tetgen -pM FILE), each triangle a facet of its own.
 
 #include "delaunay/constrained_check.h"
@@ -43,8 +43,9 @@ void writePoly(const SurfaceMesh& mesh, const char* path)
 
 int main(int count, char** words)
 {
-    if (count != 3 && !(count == 5 && std::string_view(words[3]) == "--poly")) {
-        std::fprintf(stderr, "recovery_ours torus|sphere|cells|box SIZE [--poly FILE]\n");
+    const bool isKept = count == 4 && std::string_view(words[3]) == "--kept";
+    if (count != 3 && !isKept && !(count == 5 && std::string_view(words[3]) == "--poly")) {
+        std::fprintf(stderr, "recovery_ours torus|sphere|cells|box SIZE [--kept | --poly FILE]\n");
         return 2;
     }
     test::SampleSurface sample = surfaceNamed(words[1], std::atoi(words[2]));
@@ -54,21 +55,23 @@ int main(int count, char** words)
     }
     const std::size_t facets = sample.mesh.facets.size();
     RunContext context;
+    TetrahedralizationOptions options;
+    if (isKept) options.scaffold = SurfaceScaffold::Kept;
     const std::clock_t start = std::clock();
-    const auto result = tetrahedralize(sample.mesh, sample.sides, {}, context);
+    const auto result = tetrahedralize(sample.mesh, sample.sides, options, context);
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     if (!result) {
         std::fprintf(stderr, "%s\n", describe(result.error()).c_str());
         return 1;
     }
     const TetrahedralizationCounts& c = result->counts;
-    std::printf("{\"facets\": %zu, \"nodes\": %u, \"scaffold\": %u, \"missing_edges\": %u, \"missing_facets\": %u, "
-                "\"steiner\": %u, \"stars\": %u, \"free_left\": %u, \"failures\": %zu, \"delaunay_flips\": %llu, "
-                "\"non_delaunay\": %llu, \"seconds\": %.3f, \"facets_per_second\": %.0f}\n",
-                facets, c.nodes, c.scaffoldPoints, c.missingEdges, c.missingFacets, c.edgeSteiner + c.facetSteiner,
-                c.starVertices, c.freeVerticesLeft, result->failures.size(),
-                static_cast<unsigned long long>(c.delaunayFlips),
-                static_cast<unsigned long long>(c.nonDelaunayFaces), seconds,
-                static_cast<double>(facets) / seconds);
+    std::printf(
+        "{\"facets\": %zu, \"nodes\": %u, \"scaffold\": %u, \"missing_edges\": %u, \"missing_facets\": %u, "
+        "\"steiner\": %u, \"stars\": %u, \"free_left\": %u, \"failures\": %zu, \"delaunay_flips\": %llu, "
+        "\"non_delaunay\": %llu, \"seconds\": %.3f, \"facets_per_second\": %.0f}\n",
+        facets, c.nodes, c.scaffoldPoints, c.missingEdges, c.missingFacets, c.edgeSteiner + c.facetSteiner,
+        c.starVertices, c.freeVerticesLeft, result->failures.size(),
+        static_cast<unsigned long long>(c.delaunayFlips), static_cast<unsigned long long>(c.nonDelaunayFaces),
+        seconds, static_cast<double>(facets) / seconds);
     return 0;
 }

@@ -100,7 +100,7 @@ TEST(Tetrahedralize, removesScaffoldPointsInside)
     const test::SampleSurface sample = test::torusSurface(120, 60, 0.1, 4);
     const TetrahedralizationCounts counts = expectRecovered(sample);
     EXPECT_GT(counts.scaffoldPoints, 0u);
-    EXPECT_LT(counts.freeVerticesLeft, counts.scaffoldPoints / 50);
+    EXPECT_LT(counts.freeVerticesLeft, counts.scaffoldPoints / 10);
     EXPECT_EQ(counts.edgeSteiner + counts.facetSteiner, 0u);
 }
 
