@@ -143,11 +143,14 @@ int main(int count, char** words)
               << ", \"projected\": " << c.refinement.splits.projectedCentres
               << ", \"edges_split\": " << c.refinement.splits.splitEdges
               << ", \"lost\": " << c.refinement.splits.lostWalks
-              << ", \"folded\": " << c.refinement.splits.foldedStars << ", \"cpu\": " << seconds
+              << ", \"folded\": " << c.refinement.splits.foldedStars << ", \"crossing\": " << c.certificate.found << ", \"shared\": " << c.certificate.shared
+              << ", \"crossing_left\": " << c.certificate.left << ", \"certificate_rounds\": " << c.certificate.rounds
+              << ", \"cpu_certificate\": " << sample->seconds.certificate << ", \"cpu\": " << seconds
               << ", \"cpu_initial\": " << sample->seconds.curves + sample->seconds.initial
               << ", \"cpu_refine\": " << sample->seconds.refinement
               << ", \"per_second\": " << static_cast<double>(c.vertices) / sample->seconds.refinement
               << ", \"check\": \"" << check.problem() << "\"}\n";
+    for (const Error& error : c.certificate.errors) std::cerr << describe(error) << '\n';
     for (const auto& [face, error] : sample->failures) std::cerr << describe(error) << '\n';
     return check.isValid() && sample->failures.empty() ? 0 : 3;
 }
