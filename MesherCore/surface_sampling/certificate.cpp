@@ -16,8 +16,8 @@ double squaredExtent(const SurfaceMesh& mesh, FacetId facet)
     double longest = 0.0;
     const auto& node = mesh.facets[facet].node;
     for (std::size_t i = 0; i < 3; ++i) {
-        longest = std::max(longest,
-                           squaredLength(mesh.nodes[node[i]].position - mesh.nodes[node[(i + 1) % 3]].position));
+        longest = std::max(
+            longest, squaredLength(mesh.nodes[node[i]].position - mesh.nodes[node[(i + 1) % 3]].position));
     }
     return longest;
 }
@@ -86,9 +86,23 @@ public:
     }
 
 private:
+    using FacePair = std::pair<BrepFaceId, BrepFaceId>;
+    struct History
+    {
+        double least = 0.0;  ///< number of intersections in a round
+        int roundsInVain = 0;
+        bool isHopeless = false;
+    };
+
+    [[nodiscard]] FacePair facesOf(const FacetIntersection& pair) const
+    {
+        return std::minmax(surface_.mesh().facets[pair.first].face, surface_.mesh().facets[pair.second].face);
+    }
     [[nodiscard]] const FaceTriangle& triangleOf(FacetId facet) const
     {
-        return surface_.faces().face(surface_.mesh().facets[facet].face)->mesh.triangle(surface_.triangleOf(facet));
+        return surface_.faces()
+            .face(surface_.mesh().facets[facet].face)
+            ->mesh.triangle(surface_.triangleOf(facet));
     }
     /// Was it to be split already, in vain?
     [[nodiscard]] bool isGivenUp(FacetId facet) const { return triangleOf(facet).isForced; }
@@ -98,10 +112,30 @@ private:
         surface_.faces().force(surface_.mesh().facets[facet].face, surface_.triangleOf(facet));
     }
 
+    /// Faces that lie in each other, as solids in contact do, only get more intersections from smaller facets.
+    void findHopeless(const std::vector<FacetIntersection>& pairs)
+    {
+        constexpr double kFewer = 0.8, kManyMore = 1.5;
+        constexpr int kMostRoundsInVain = 3;
+        IndexedMap<FacePair, std::size_t> counts;
+        for (const FacetIntersection& pair : pairs) ++counts[facesOf(pair)];
+        for (const auto& [faces, count] : counts) {
+            const auto now = static_cast<double>(count);
+            const auto [history, isNew] = histories_.insert(faces, {now, 0});
+            if (isNew) continue;
+            if (now > kManyMore * history->least) history->roundsInVain = kMostRoundsInVain;
+            history->roundsInVain += now <= kFewer * history->least ? 0 : 1;
+            history->least = std::min(history->least, now);
+            history->isHopeless = history->isHopeless || history->roundsInVain >= kMostRoundsInVain;
+        }
+    }
+
     bool forceLarger(const std::vector<FacetIntersection>& pairs)
     {
+        findHopeless(pairs);
         std::vector<FacetId> chosen;
         for (const FacetIntersection& pair : pairs) {
+            if (histories_.find(facesOf(pair))->isHopeless) continue;
             const bool isFirstLarger =
                 squaredExtent(surface_.mesh(), pair.first) >= squaredExtent(surface_.mesh(), pair.second);
             FacetId larger = isFirstLarger ? pair.first : pair.second;
@@ -131,17 +165,17 @@ private:
 
     void report(const std::vector<FacetIntersection>& pairs)
     {
-        std::vector<std::pair<BrepFaceId, BrepFaceId>> reported;
+        std::vector<FacePair> reported;
         for (const FacetIntersection& pair : pairs) {
-            const std::pair<BrepFaceId, BrepFaceId> faces = std::minmax(
-                surface_.mesh().facets[pair.first].face, surface_.mesh().facets[pair.second].face);
+            const FacePair faces = facesOf(pair);
             if (std::find(reported.begin(), reported.end(), faces) != reported.end()) continue;
             reported.push_back(faces);
-            result_.errors.push_back({ErrorCode::IntersectingConstraints,
-                                      "the facets of " + nameOf(faces.first) + " and " + nameOf(faces.second) +
-                                          " intersect, however small they are made",
-                                      nameOf(faces.first), pair.point,
-                                      "repair the faces where they touch or cross, or wish for smaller sizes there"});
+            result_.errors.push_back(
+                {ErrorCode::IntersectingConstraints,
+                 "the facets of " + nameOf(faces.first) + " and " + nameOf(faces.second) +
+                     " intersect, however small they are made",
+                 nameOf(faces.first), pair.point,
+                 "repair the faces where they touch or cross, or wish for smaller sizes there"});
         }
     }
 
@@ -149,11 +183,13 @@ private:
     BudgetLimits limits_;
     RunContext& context_;
     SurfaceCertificate result_;
+    IndexedMap<FacePair, History> histories_;
 };
 
 }  // namespace
 
-SurfaceCertificate certify(SampledSurface& surface, const BudgetLimits& limits, int maxRounds, RunContext& context)
+SurfaceCertificate certify(SampledSurface& surface, const BudgetLimits& limits, int maxRounds,
+                           RunContext& context)
 {
     return Certifier(surface, limits, context).run(maxRounds);
 }

@@ -24,7 +24,8 @@ struct SurfaceCertificate
 /// Verifies that the facets of a surface bound volumes: no two have more in common than nodes and segments. Where they have, the
 /// larger one is split, and the faces are refined again.
 /// Guarantees   with no errors, exactly that (findFacetIntersections says so); shapes and sizes as sampleSurface has them
-/// Terminates   after `maxRounds`, or when no facet in question can be split
+/// Terminates   after `maxRounds`, or when no facet in question can be split, or splitting them does not lower the number of
+///              intersections of their faces
 /// Cost         a search for intersections per round
 /// Reference    [gosselin] Fig. 3.10 is where it is needed; the test of pairs of faces is our own
 [[nodiscard]] SurfaceCertificate certify(SampledSurface& surface, const BudgetLimits& limits, int maxRounds,

@@ -14,7 +14,6 @@ constexpr std::size_t kMostFlipsAround = 200;
 
 }  // namespace
 
-
 FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCounts& other)
 {
     sizeInsertions += other.sizeInsertions;
@@ -183,7 +182,8 @@ StopReason FaceRefiner::refine(Budget& budget)
         const auto entry = (isSize ? sizeQueue_ : qualityQueue_).pop();
         if (!entry) break;
         const FaceTriangle& record = mesh_.triangle(entry->id);
-        if (!record.isAlive || record.generation != entry->generation || record.left != FacetLeft::No) continue;
+        if (!record.isAlive || record.generation != entry->generation || record.left != FacetLeft::No)
+            continue;
         const FacetVerdict verdict = criteria_.judge(mesh_, entry->id);
         if (verdict.key != entry->key)
             continue;  // the generation has wrapped: another entry is the right one
