@@ -147,7 +147,7 @@ void FaceMesh::writeTriangle(TriangleId t, const std::array<VertexId, 3>& v, con
     record.uv = uv;
     ++record.generation;
     record.isAlive = true;
-    record.isLeft = false;
+    record.left = FacetLeft::No;
     record.isForced = false;
     for (unsigned i = 0; i < 3; ++i) {
         const FaceVertex& corner = vertices_[v[i]];

@@ -39,6 +39,14 @@ struct FaceVertex
     [[nodiscard]] bool isPole() const { return isSingularU || isSingularV; }
 };
 
+/// Whether and why refinement has given up a facet in its present shape.
+enum class FacetLeft : std::uint8_t
+{
+    No,
+    SmallAngle,  ///< its shortest side spans a small angle of the edges between two nodes of one shell
+    Resolution   ///< no vertex was found that would remove it, or not without coming too near to others
+};
+
 /// Corners counter-clockwise about du x dv; side i lies opposite corner i and runs from corner i+1 to corner i+2.
 struct FaceTriangle
 {
@@ -48,7 +56,7 @@ struct FaceTriangle
     std::array<Vec2, 3> uv;  ///< in one image of the face; meaningless in the singular direction of a pole
     std::uint16_t generation = 0;
     bool isAlive = true;
-    bool isLeft = false;    ///< refinement has given it up in this shape
+    FacetLeft left = FacetLeft::No;
     bool isForced = false;  ///< is to be split, whatever its shape
 
     [[nodiscard]] unsigned cornerOf(VertexId vertex) const

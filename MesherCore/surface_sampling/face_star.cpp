@@ -31,7 +31,8 @@ StarSide FaceStar::sideOf(TriangleId t, unsigned side, Vec2 shift, Vec2 uvVertex
 {
     const FaceTriangle& record = mesh_.triangle(t);
     const unsigned from = nextCorner(side), to = previousCorner(side);
-    return {record.v[from],        record.v[to],   record.uv[from] + shift, record.uv[to] + shift, uvVertex, record.n[side], record.s[side]};
+    return {record.v[from], record.v[to],   record.uv[from] + shift, record.uv[to] + shift,
+            uvVertex,       record.n[side], record.s[side]};
 }
 
 void FaceStar::addTriangle(TriangleId t) { cavity_.push_back(t); }
@@ -49,7 +50,8 @@ void FaceStar::evaluateInside(TriangleId t, const FaceVertex& vertex, Vec2 uv, S
     }
 }
 
-void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, StarExtent extent, const std::array<SegmentId, 2>& halves, std::optional<Vec2> uvBehind)
+void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, StarExtent extent,
+                              const std::array<SegmentId, 2>& halves, std::optional<Vec2> uvBehind)
 {
     begin(vertex, uv, extent);
     const TriangleId t = side.triangle();

@@ -24,7 +24,7 @@ struct StarSide
     VertexId b;
     Vec2 uvA;
     Vec2 uvB;
-    Vec2 uvVertex;  ///< of the new vertex, in the same image
+    Vec2 uvVertex;   ///< of the new vertex, in the same image
     EdgeLink outer;  ///< invalid at the border of the face
     SegmentId segment;
 };

@@ -138,7 +138,8 @@ private:
 
     [[nodiscard]] TrianglePoints points(const std::array<NodeId, 3>& nodes) const
     {
-        return {mesh_.nodes[nodes[0]].position, mesh_.nodes[nodes[1]].position, mesh_.nodes[nodes[2]].position};
+        return {mesh_.nodes[nodes[0]].position, mesh_.nodes[nodes[1]].position,
+                mesh_.nodes[nodes[2]].position};
     }
 
     /// Common nodes come first, in the same order in both.

@@ -22,6 +22,7 @@ struct FacetIntersection
 /// facets are a triangulation of the plane.
 /// Guarantees   ascending in (first, second)
 /// Cost         O(n log n) for facets of bounded shape, by a tree of boxes
-[[nodiscard]] std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh);
+[[nodiscard]] std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model,
+                                                                    const SurfaceMesh& mesh);
 
 }  // namespace mesher

@@ -65,6 +65,22 @@ bool FacetSplitter::encroaches(const Vec3& point, const Vec3& a, const Vec3& b) 
            cosine < encroachmentCosine_ * std::sqrt(squaredLength(a - point) * squaredLength(b - point));
 }
 
+EdgeLink FacetSplitter::nearestSide(TriangleId t, const Vec3& point) const
+{
+    EdgeLink nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (unsigned i = 0; i < 3; ++i) {
+        const EdgeLink side(t, i);
+        const double distance = sideOfEdge(mesh_, side, point) /
+                                length(mesh_.position(mesh_.to(side)) - mesh_.position(mesh_.from(side)));
+        if (distance < least) {
+            least = distance;
+            nearest = side;
+        }
+    }
+    return nearest;
+}
+
 bool FacetSplitter::isLargerThanCurvature(TriangleId t) const
 {
     const FaceTriangle& record = mesh_.triangle(t);
@@ -102,9 +118,7 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
 FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, bool mayHalve)
 {
     encroached_.clear();
-    const auto halve = [&] {
-        return mayHalve ? evaluateLongestEdge(t, extent) : FacetSplitStatus::NotFound;
-    };
+    const auto halve = [&] { return mayHalve ? evaluateLongestEdge(t, extent) : FacetSplitStatus::NotFound; };
     if (mayHalve && isLargerThanCurvature(t)) return evaluateLongestEdge(t, extent);
     const std::optional<SurfaceFacts> centre = findCentre(t);
     if (!centre) return halve();
@@ -116,12 +130,16 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, bool m
             return FacetSplitStatus::Encroaches;
         case FaceWalk::Outcome::Inside: break;
     }
-    star_.evaluateInside(walk.triangle, vertexAt(*centre), centre->parameters - walk.shift, extent);
-    if (star_.isFolded()) {
-        ++counts_.foldedStars;
-        return halve();
+    const FaceVertex vertex = vertexAt(*centre);
+    star_.evaluateInside(walk.triangle, vertex, centre->parameters - walk.shift, extent);
+    if (extent == StarExtent::Least && star_.isFolded()) {
+        const EdgeLink side = nearestSide(walk.triangle, vertex.position);
+        if (!mesh_.segment(side).isValid()) {
+            star_.evaluateOnSide(side, vertex, centre->parameters - walk.shift, extent, {});
+        }
     }
-    return judgeStar();
+    const FacetSplitStatus status = judgeStar();
+    return status == FacetSplitStatus::NotFound ? halve() : status;
 }
 
 /// Where the surface bends too much for its facets, the middle of the longest edge is always near.
@@ -142,10 +160,6 @@ FacetSplitStatus FacetSplitter::evaluateLongestEdge(TriangleId t, StarExtent ext
         return FacetSplitStatus::NotFound;
     }
     star_.evaluateOnSide(side, vertexAt(facts), facts.parameters, extent, {});
-    if (star_.isFolded()) {
-        ++counts_.foldedStars;
-        return FacetSplitStatus::NotFound;
-    }
     return judgeStar();
 }
 
@@ -158,6 +172,10 @@ FacetSplitStatus FacetSplitter::judgeStar()
             encroached_.push_back(side.segment);
     }
     if (!encroached_.empty()) return FacetSplitStatus::Encroaches;
+    if (star_.isFolded()) {
+        ++counts_.foldedStars;
+        return FacetSplitStatus::NotFound;
+    }
     return star_.squaredSpokeLength() < options_.floor * options_.floor ? FacetSplitStatus::TooSmall
                                                                         : FacetSplitStatus::Ready;
 }

@@ -60,6 +60,7 @@ public:
     [[nodiscard]] bool encroaches(const Vec3& point, const Vec3& a, const Vec3& b) const;
 
 private:
+    [[nodiscard]] EdgeLink nearestSide(TriangleId t, const Vec3& point) const;
     [[nodiscard]] bool isLargerThanCurvature(TriangleId t) const;
     [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);
     [[nodiscard]] FacetSplitStatus evaluateLongestEdge(TriangleId t, StarExtent extent);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
@@ -18,6 +19,8 @@ void forEachInParallel(std::size_t count, unsigned threads, Task&& task)
         for (std::size_t i = 0; i < count; ++i) task(i);
         return;
     }
+    // The caller's number holds, also where it is above that of the machine.
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(static_cast<int>(threads));
     arena.execute([&] {
         // One face may cost a thousand times what another does, so each is a task of its own.

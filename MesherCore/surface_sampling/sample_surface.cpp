@@ -1,5 +1,6 @@
 #include "surface_sampling/sample_surface.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -58,6 +59,15 @@ std::size_t aliveFacets(const SurfaceMesh& mesh)
     return count;
 }
 
+void countResult(SampledSurface& surface, SurfaceSamplingCounts& counts)
+{
+    counts.refinement = surface.faces().counts();
+    counts.segments = surface.faces().chains().aliveCount();
+    counts.unprotectedAngles = surface.faces().chains().unprotectedCount();
+    counts.vertices = surface.mesh().nodes.size();
+    counts.facets = aliveFacets(surface.mesh());
+}
+
 }  // namespace
 
 Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplingOptions& options,
@@ -84,15 +94,18 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     auto faces = std::make_unique<SampledFaces>(model, std::move(*chains), std::move(nodes), initial,
                                                 refinementOptions(model, options));
     counts.rounds = faces->refine(options.limits, options.maxRounds, context);
-    counts.refinement = faces->counts();
-    counts.segments = faces->chains().aliveCount();
-    counts.unprotectedAngles = faces->chains().unprotectedCount();
     sample.failures = faces->failures();
-    sample.surface = std::make_unique<SampledSurface>(std::move(faces));
-    counts.vertices = sample.surface->mesh().nodes.size();
-    counts.facets = aliveFacets(sample.surface->mesh());
     sample.stopReason = counts.rounds.stopReason;
+    sample.surface = std::make_unique<SampledSurface>(std::move(faces));
     sample.seconds.refinement = secondsSince(start);
+
+    start = Clock::now();
+    if (options.maxCertificateRounds >= 0 && sample.stopReason == StopReason::Done) {
+        counts.certificate = certify(*sample.surface, options.limits, options.maxCertificateRounds, context);
+        sample.stopReason = counts.certificate.refinement.stopReason;
+    }
+    sample.seconds.certificate = secondsSince(start);
+    countResult(*sample.surface, counts);
     return sample;
 }
 

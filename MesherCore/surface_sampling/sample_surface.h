@@ -6,6 +6,7 @@
 #include "base/run_context.h"
 #include "base/stop_reason.h"
 #include "brep/brep_model.h"
+#include "surface_sampling/certificate.h"
 #include "surface_sampling/curve_chains.h"
 #include "surface_sampling/initial_face_mesh.h"
 #include "surface_sampling/sampled_surface.h"
@@ -29,6 +30,8 @@ struct SurfaceSamplingOptions
     BudgetLimits limits{.maxVertices = 20'000'000, .maxTime = {}};
     /// Rounds in which faces wait for each other's splits of segments.
     int maxRounds = 1000;
+    /// Rounds in which intersecting facets are split; -1 does without the search for them.
+    int maxCertificateRounds = 20;
 };
 
 struct SurfaceSamplingCounts
@@ -42,6 +45,7 @@ struct SurfaceSamplingCounts
     std::size_t unprotectedAngles = 0;
     SamplingRounds rounds;
     FaceRefinementCounts refinement;
+    SurfaceCertificate certificate;
 };
 
 /// Seconds on the wall clock.
@@ -50,6 +54,7 @@ struct SurfaceSamplingTimes
     double curves = 0.0;
     double initial = 0.0;
     double refinement = 0.0;
+    double certificate = 0.0;
 };
 
 struct SurfaceSample
@@ -62,7 +67,8 @@ struct SurfaceSample
     std::vector<std::pair<BrepFaceId, Error>> failures;
 };
 
-/// Samples the curves and faces of a model: chains, first meshes, refinement for size and quality.
+/// Samples the curves and faces of a model: chains, first meshes, refinement for size and quality, and the certificate that
+/// facets do not intersect, whose errors are in the counts.
 /// Guarantees   a surface mesh as mesh/surface_mesh.h says, of all faces that did not fail (surface_check.h verifies it); with
 ///              StopReason::Done each facet is as asked, but for those counted as left; the same for any number of threads
 /// Refuses      options out of range, and what curve_chains.h refuses

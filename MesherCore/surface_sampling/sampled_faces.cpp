@@ -6,6 +6,12 @@
 #include <tuple>
 
 namespace mesher {
+namespace {
+
+/// How often facets that were given up are tried again.
+constexpr int kMostSweeps = 3;
+
+}  // namespace
 
 bool SampledFaces::Boundary::maySplit(SegmentId segment) const
 {
@@ -179,6 +185,17 @@ void SampledFaces::prepareFaces(SamplingRounds& result, RunContext& context)
     for (const std::size_t count : flips) result.flips += count;
 }
 
+bool SampledFaces::queueGivenUp()
+{
+    bool isAny = false;
+    for (const auto& face : faces_) {
+        if (!face || !face->refiner.queueGivenUp()) continue;
+        face->isActive = true;
+        isAny = true;
+    }
+    return isAny;
+}
+
 SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, RunContext& context)
 {
     SamplingRounds result;
@@ -193,7 +210,7 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
     for (const auto& face : faces_) {
         if (face) face->isActive = true;
     }
-    while (true) {
+    for (int sweeps = 0;;) {
         const std::vector<SampledFace*> active = activeFaces();
         forEachInParallel(active.size(), context.threads(), [&](std::size_t i) {
             Budget budget(limits, context);
@@ -204,7 +221,11 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
         }
         if (vertexCount() >= limits.maxVertices) result.stopReason = StopReason::VertexLimit;
         proposals = takeProposals();
-        if (result.stopReason != StopReason::Done || proposals.empty()) break;
+        if (result.stopReason != StopReason::Done) break;
+        if (proposals.empty()) {
+            if (sweeps++ >= kMostSweeps || !queueGivenUp()) break;
+            continue;
+        }
         if (result.rounds++ >= maxRounds) {
             result.stopReason = StopReason::OperationLimit;
             break;

@@ -96,6 +96,7 @@ private:
                   const FaceRefinementOptions& options);
     void prepareFaces(SamplingRounds& result, RunContext& context);
     [[nodiscard]] std::vector<SegmentId> takeProposals();
+    bool queueGivenUp();
     void split(std::vector<SegmentId> segments, SamplingRounds& result, unsigned threads);
     [[nodiscard]] std::vector<SampledFace*> activeFaces() const;
 

@@ -14,7 +14,6 @@ constexpr std::size_t kMostFlipsAround = 200;
 
 }  // namespace
 
-
 FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCounts& other)
 {
     sizeInsertions += other.sizeInsertions;
@@ -52,6 +51,12 @@ FaceRefinementCounts FaceRefiner::counts() const
 {
     FaceRefinementCounts counts = counts_;
     counts.splits = splitter_.counts();
+    for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
+        const FaceTriangle& record = mesh_.triangle(TriangleId(i));
+        if (!record.isAlive) continue;
+        counts.leftAtSmallAngles += record.left == FacetLeft::SmallAngle ? 1 : 0;
+        counts.leftForResolution += record.left == FacetLeft::Resolution ? 1 : 0;
+    }
     return counts;
 }
 
@@ -83,15 +88,29 @@ void FaceRefiner::queueAll()
     waiting_.clear();
     for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
         if (!mesh_.triangle(TriangleId(i)).isAlive) continue;
-        mesh_.triangle(TriangleId(i)).isLeft = false;
+        mesh_.triangle(TriangleId(i)).left = FacetLeft::No;
         queueTriangle(TriangleId(i));
     }
+}
+
+bool FaceRefiner::queueGivenUp()
+{
+    if (!std::exchange(hasGivenUp_, false)) return false;
+    bool isAny = false;
+    for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
+        FaceTriangle& record = mesh_.triangle(TriangleId(i));
+        if (!record.isAlive || record.left != FacetLeft::Resolution) continue;
+        record.left = FacetLeft::No;
+        queueTriangle(TriangleId(i));
+        isAny = true;
+    }
+    return isAny;
 }
 
 void FaceRefiner::force(TriangleId t)
 {
     mesh_.triangle(t).isForced = true;
-    mesh_.triangle(t).isLeft = false;
+    mesh_.triangle(t).left = FacetLeft::No;
     queueTriangle(t);
 }
 
@@ -163,7 +182,8 @@ StopReason FaceRefiner::refine(Budget& budget)
         const auto entry = (isSize ? sizeQueue_ : qualityQueue_).pop();
         if (!entry) break;
         const FaceTriangle& record = mesh_.triangle(entry->id);
-        if (!record.isAlive || record.generation != entry->generation || record.isLeft) continue;
+        if (!record.isAlive || record.generation != entry->generation || record.left != FacetLeft::No)
+            continue;
         const FacetVerdict verdict = criteria_.judge(mesh_, entry->id);
         if (verdict.key != entry->key)
             continue;  // the generation has wrapped: another entry is the right one
@@ -179,8 +199,7 @@ StopReason FaceRefiner::refine(Budget& budget)
 void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
 {
     if (isAtSmallAngle(t)) {
-        mesh_.triangle(t).isLeft = true;
-        ++counts_.leftAtSmallAngles;
+        mesh_.triangle(t).left = FacetLeft::SmallAngle;
         return;
     }
     const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need == FacetNeed::Size);
@@ -198,8 +217,8 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         ++counts_.deferred;
         waiting_.push_back({t, mesh_.triangle(t).generation});
     } else {
-        mesh_.triangle(t).isLeft = true;
-        ++counts_.leftForResolution;
+        mesh_.triangle(t).left = FacetLeft::Resolution;
+        hasGivenUp_ = true;
     }
 }
 

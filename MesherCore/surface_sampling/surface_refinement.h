@@ -42,7 +42,7 @@ struct FaceRefinementCounts
     std::size_t removals = 0;            ///< free vertices that gave way to a segment's split
     std::size_t forcedStars = 0;         ///< vertices on segments beside which facets fold
     std::size_t deferred = 0;            ///< facets that waited for segments to be split
-    std::size_t leftAtSmallAngles = 0;   ///< facets
+    std::size_t leftAtSmallAngles = 0;   ///< facets, see FacetLeft
     std::size_t leftForResolution = 0;   ///< facets
     FacetSplitCounts splits;
 
@@ -86,8 +86,9 @@ public:
     [[nodiscard]] bool evaluateOnSegment(const SegmentVertex& split, StarExtent extent);
     /// Has a facet split when refinement goes on, whatever its shape.
     void force(TriangleId t);
-    /// To be called when facets that were given up may have become possible.
     void queueAll();
+    /// Those that were given up, since what is around them has changed. False if there are none that are new.
+    bool queueGivenUp();
 
     [[nodiscard]] FaceRefinementCounts counts() const;
     [[nodiscard]] FacetSplitter& splitter() { return splitter_; }
@@ -130,6 +131,7 @@ private:
     std::vector<SegmentId> proposals_;
     IndexedMap<NodeId, VertexId> vertexOf_;
     FaceRefinementCounts counts_;
+    bool hasGivenUp_ = false;
 };
 
 }  // namespace mesher

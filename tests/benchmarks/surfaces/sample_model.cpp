@@ -54,11 +54,13 @@ void printFaces(const BrepModel& model, const SurfaceSample& sample)
         const SampledFace* face = sample.surface->faces().face(BrepFaceId(f));
         if (face == nullptr) continue;
         const FaceRefinementCounts c = face->refiner.counts();
-        std::cerr << nameOf(BrepFaceId(f)) << " kind " << static_cast<int>(model.faces[BrepFaceId(f)].surface->kind())
-                  << " triangles " << face->mesh.triangleCount() << " size " << c.sizeInsertions << " quality "
-                  << c.qualityInsertions << " boundary " << c.boundaryInsertions << " left " << c.leftForResolution
-                  << " lost " << c.splits.lostWalks << " folded " << c.splits.foldedStars << " edges "
-                  << c.splits.splitEdges << " projected " << c.splits.projectedCentres << '\n';
+        std::cerr << nameOf(BrepFaceId(f)) << " kind "
+                  << static_cast<int>(model.faces[BrepFaceId(f)].surface->kind()) << " triangles "
+                  << face->mesh.triangleCount() << " size " << c.sizeInsertions << " quality "
+                  << c.qualityInsertions << " boundary " << c.boundaryInsertions << " left "
+                  << c.leftForResolution << " lost " << c.splits.lostWalks << " folded "
+                  << c.splits.foldedStars << " edges " << c.splits.splitEdges << " projected "
+                  << c.splits.projectedCentres << '\n';
     }
 }
 
@@ -143,11 +145,16 @@ int main(int count, char** words)
               << ", \"projected\": " << c.refinement.splits.projectedCentres
               << ", \"edges_split\": " << c.refinement.splits.splitEdges
               << ", \"lost\": " << c.refinement.splits.lostWalks
-              << ", \"folded\": " << c.refinement.splits.foldedStars << ", \"cpu\": " << seconds
+              << ", \"folded\": " << c.refinement.splits.foldedStars
+              << ", \"crossing\": " << c.certificate.found << ", \"shared\": " << c.certificate.shared
+              << ", \"crossing_left\": " << c.certificate.left
+              << ", \"certificate_rounds\": " << c.certificate.rounds
+              << ", \"cpu_certificate\": " << sample->seconds.certificate << ", \"cpu\": " << seconds
               << ", \"cpu_initial\": " << sample->seconds.curves + sample->seconds.initial
               << ", \"cpu_refine\": " << sample->seconds.refinement
               << ", \"per_second\": " << static_cast<double>(c.vertices) / sample->seconds.refinement
               << ", \"check\": \"" << check.problem() << "\"}\n";
+    for (const Error& error : c.certificate.errors) std::cerr << describe(error) << '\n';
     for (const auto& [face, error] : sample->failures) std::cerr << describe(error) << '\n';
     return check.isValid() && sample->failures.empty() ? 0 : 3;
 }
