@@ -286,13 +286,13 @@ private:
         return piece;
     }
 
-    [[nodiscard]] double sagOf(SegmentId s) const
+    [[nodiscard]] Vec3 sagOf(SegmentId s) const
     {
         const SurfaceSegment& segment = chains_.segments()[s];
         const Curve& curve = *model_.edges[segment.edge].curve;
-        if (curve.kind() == CurveKind::Line) return 0.0;
+        if (curve.kind() == CurveKind::Line) return {};
         const Vec3 middle = 0.5 * (nodes_[segment.node[0]].position + nodes_[segment.node[1]].position);
-        return length(curve.position(0.5 * (segment.parameter[0] + segment.parameter[1])) - middle);
+        return curve.position(0.5 * (segment.parameter[0] + segment.parameter[1])) - middle;
     }
 
     [[nodiscard]] double bulgeOf(const Strand& strand, std::size_t i) const
@@ -326,8 +326,7 @@ private:
             const std::uint32_t to = addPoint(strand.nodes.front(), uv, kRoundingShare * outline_.size);
             outline_.points[to].isPole = true;
             outline_.points[to].isPoleAlongU = isAlongU;
-            if (i > 0)
-                outline_.pieces.push_back(pieceBetween(from, to, loop, strand));
+            if (i > 0) outline_.pieces.push_back(pieceBetween(from, to, loop, strand));
             from = to;
         }
     }
