@@ -107,7 +107,7 @@ private:
         const std::vector<SegmentId> chain = chains_.chainOf(coedge.edge);
         const auto add = [&](NodeId node, double t) {
             strand.nodes.push_back(node);
-            strand.uv.push_back(coedge.parameterCurve->position(t));
+            strand.uv.push_back(parametersAt(coedge, node, t));
         };
         add(chains_.segments()[chain.front()].node[0], chains_.segments()[chain.front()].parameter[0]);
         for (const SegmentId s : chain) {
@@ -124,6 +124,19 @@ private:
             std::reverse(strand.middles.begin(), strand.middles.end());
         }
         return strand;
+    }
+
+    /// By the parameter curve, or the closest point of the surface where that runs beside the edge.
+    [[nodiscard]] Vec2 parametersAt(const BrepCoedge& coedge, NodeId node, double t) const
+    {
+        constexpr double kExact = 1e-7;
+        const Vec2 uv = coedge.parameterCurve->position(t);
+        if (nodes_[node].entity.dimension != 1) return uv;
+        const Vec3& position = nodes_[node].position;
+        const double gap = length(face_.surface->position(uv) - position);
+        if (!(gap > kExact)) return uv;
+        const SurfaceProjection closest = face_.surface->project(position, uv);
+        return closest.distance < 0.5 * gap ? closest.parameters : uv;
     }
 
     Strand poleAlong(const BrepCoedge& coedge) const
