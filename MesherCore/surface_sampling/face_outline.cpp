@@ -107,7 +107,7 @@ private:
         const std::vector<SegmentId> chain = chains_.chainOf(coedge.edge);
         const auto add = [&](NodeId node, double t) {
             strand.nodes.push_back(node);
-            strand.uv.push_back(coedge.parameterCurve->position(t));
+            strand.uv.push_back(parametersAt(coedge, node, t));
         };
         add(chains_.segments()[chain.front()].node[0], chains_.segments()[chain.front()].parameter[0]);
         for (const SegmentId s : chain) {
@@ -124,6 +124,19 @@ private:
             std::reverse(strand.middles.begin(), strand.middles.end());
         }
         return strand;
+    }
+
+    /// By the parameter curve, or the closest point of the surface where that runs beside the edge.
+    [[nodiscard]] Vec2 parametersAt(const BrepCoedge& coedge, NodeId node, double t) const
+    {
+        constexpr double kExact = 1e-7;
+        const Vec2 uv = coedge.parameterCurve->position(t);
+        if (nodes_[node].entity.dimension != 1) return uv;
+        const Vec3& position = nodes_[node].position;
+        const double gap = length(face_.surface->position(uv) - position);
+        if (!(gap > kExact)) return uv;
+        const SurfaceProjection closest = face_.surface->project(position, uv);
+        return closest.distance < 0.5 * gap ? closest.parameters : uv;
     }
 
     Strand poleAlong(const BrepCoedge& coedge) const
@@ -286,13 +299,13 @@ private:
         return piece;
     }
 
-    [[nodiscard]] double sagOf(SegmentId s) const
+    [[nodiscard]] Vec3 sagOf(SegmentId s) const
     {
         const SurfaceSegment& segment = chains_.segments()[s];
         const Curve& curve = *model_.edges[segment.edge].curve;
-        if (curve.kind() == CurveKind::Line) return 0.0;
+        if (curve.kind() == CurveKind::Line) return {};
         const Vec3 middle = 0.5 * (nodes_[segment.node[0]].position + nodes_[segment.node[1]].position);
-        return length(curve.position(0.5 * (segment.parameter[0] + segment.parameter[1])) - middle);
+        return curve.position(0.5 * (segment.parameter[0] + segment.parameter[1])) - middle;
     }
 
     [[nodiscard]] double bulgeOf(const Strand& strand, std::size_t i) const
@@ -326,8 +339,7 @@ private:
             const std::uint32_t to = addPoint(strand.nodes.front(), uv, kRoundingShare * outline_.size);
             outline_.points[to].isPole = true;
             outline_.points[to].isPoleAlongU = isAlongU;
-            if (i > 0)
-                outline_.pieces.push_back(pieceBetween(from, to, loop, strand));
+            if (i > 0) outline_.pieces.push_back(pieceBetween(from, to, loop, strand));
             from = to;
         }
     }

@@ -135,6 +135,7 @@ private:
     void improve(TriangleId t)
     {
         if (vanishes(t)) return;
+        if (nameNarrowSide(t)) return;
         const Departure departure = departureOf(t);
         if (!departure.isBad) return;
         const bool isAtPole = corner(t, 0).isPole || corner(t, 1).isPole || corner(t, 2).isPole;
@@ -178,9 +179,36 @@ private:
         const VertexId a = t_.mesh().edgeFrom(side), b = t_.mesh().edgeTo(side);
         if (!t_.mesh().isConstrained(side))
             return insertAt(middleOf(t_.points[a], t_.points[b]), side.triangle());
-        const std::uint32_t* piece = t_.pieceOf.find(unorderedPair(a, b));
-        if (piece == nullptr || !outline_.pieces[*piece].segment.isValid()) return false;
-        const SegmentId segment = outline_.pieces[*piece].segment;
+        const OutlinePiece* piece = pieceAt(side);
+        return piece != nullptr && name(piece->segment);
+    }
+
+    /// The piece of a segment, none along a pole.
+    [[nodiscard]] const OutlinePiece* pieceAt(EdgeLink side) const
+    {
+        const auto ends = unorderedPair(t_.mesh().edgeFrom(side), t_.mesh().edgeTo(side));
+        const std::uint32_t* piece = t_.pieceOf.find(ends);
+        return piece == nullptr || !outline_.pieces[*piece].segment.isValid() ? nullptr : &outline_.pieces[*piece];
+    }
+
+    /// Points nearer to a curve than its segment is would make facets that lie across the surface, and ever more of them.
+    bool nameNarrowSide(TriangleId t)
+    {
+        for (unsigned k = 0; k < 3; ++k) {
+            const EdgeLink side(t, k);
+            if (!t_.mesh().isConstrained(side)) continue;
+            const OutlinePiece* piece = pieceAt(side);
+            if (piece == nullptr) continue;
+            const Vec3& a = corner(t, nextCorner(k)).position;
+            const Vec3& b = corner(t, previousCorner(k)).position;
+            if (FaceTriangulation::isNarrowBeside(*piece, a, b, corner(t, k).position) && name(piece->segment))
+                return true;
+        }
+        return false;
+    }
+
+    bool name(SegmentId segment)
+    {
         if (!chains_.splitPlace(segment)) return false;
         t_.tooCoarse.push_back(segment);
         if (phase_ == Phase::Points) phase_ = Phase::Named;

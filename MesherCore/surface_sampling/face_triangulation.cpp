@@ -21,7 +21,7 @@ Vec3 FaceTriangulation::unitNormal(const SurfacePoint& point)
 
 namespace {
 
-// The least width of a face beside a curved piece, in sags of the piece; a third of the facets' area is wrong then.
+// The least width of a face beside a curved piece, in sags of the piece; a third of the area there is missing then.
 constexpr double kSagFactor = 2.0;
 
 }  // namespace
@@ -31,8 +31,9 @@ bool FaceTriangulation::isNarrowBeside(const OutlinePiece& piece, const Vec3& a,
     const Vec3 chord = b - a;
     const double share = dot(p - a, chord) / squaredLength(chord);
     if (!(share > 0.0 && share < 1.0)) return false;
-    const double height = length(cross(chord, p - a)) / length(chord);
-    return height < kSagFactor * piece.sag * 4.0 * share * (1.0 - share);
+    const Vec3 sag = 4.0 * share * (1.0 - share) * piece.sag;
+    const Vec3 fromCurve = p - a - share * chord - sag;
+    return squaredLength(fromCurve) < kSagFactor * kSagFactor * squaredLength(sag);
 }
 
 namespace {
@@ -269,7 +270,8 @@ private:
                 const VertexId apex = mesh.apex(side);
                 if (isBulgeSide && isUnderBulge(piece, positionOf(apex))) {
                     propose(index);
-                } else if (result_.isInside(side.triangle()) && isNarrow(piece, apex) && isSplittable(piece)) {
+                } else if (result_.isInside(side.triangle()) && isNarrow(piece, apex) &&
+                           isSplittable(piece)) {
                     result_.tooCoarse.push_back(piece.segment);
                 }
             }
@@ -278,7 +280,9 @@ private:
 
     [[nodiscard]] bool isNarrow(const OutlinePiece& piece, VertexId apex) const
     {
-        const auto placeOf = [&](std::uint32_t point) { return nodes_[outline_.points[point].node].position; };
+        const auto placeOf = [&](std::uint32_t point) {
+            return nodes_[outline_.points[point].node].position;
+        };
         return FaceTriangulation::isNarrowBeside(piece, placeOf(piece.from), placeOf(piece.to),
                                                  result_.points[apex].position);
     }

@@ -20,6 +20,8 @@ struct InitialFaceMeshOptions
     double maxNormalDeviation = 45.0;
     /// Interior points of a face before it is given up.
     std::size_t maxPointsPerFace = 50'000;
+    /// Rounds in which a face may name segments to be split before it is given up. A segment is halved in each at the most.
+    int maxSplitsInSeries = 24;
     /// Rounds in which segments are split and the faces beside them begun anew.
     int maxRounds = 60;
 };
