@@ -282,7 +282,8 @@ void CavityOperator3d::finish()
         const TetFace inner = mesh_.neighbour(face.outer);
         CavityFaceConstraints3d carried;
         carried.region = mesh_.region(inner.tet());
-        for (unsigned k = 0; k < 3; ++k) {
+        const bool hasEdges = (mesh_.flags(inner.tet()) & tet_flag::kEdges) != 0;
+        for (unsigned k = 0; k < 3 && hasEdges; ++k) {
             const VertexId from = face.vertex[(k + 1) % 3];
             const VertexId to = face.vertex[(k + 2) % 3];
             const int edge = kEdgeOfSlots[mesh_.slotOf(inner.tet(), from)][mesh_.slotOf(inner.tet(), to)];

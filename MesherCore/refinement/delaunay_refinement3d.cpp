@@ -229,12 +229,12 @@ private:
         const VertexId v = t_.delaunay->commit(classification).vertex;
         if (t_.nodeOf.size() <= v.value) t_.nodeOf.resize(v.value + v.value / 4u + 16u);
         t_.nodeOf[v] = NodeId();
-        scale_.assign(v, t_.delaunay->neighboursOfCommitted());
+        const bool isLow = scale_.assign(v, t_.delaunay->neighboursOfCommitted());
         const auto star = t_.delaunay->created();
         meshedTets_ += star.size();
         meshedTets_ -= removedTets;
         for (const TetId created : star) queueTet(created);
-        if (scale_.hasField()) gradeAround(v);
+        if (isLow) gradeAround(v);
     }
 
     void gradeAround(VertexId v)
@@ -485,8 +485,7 @@ private:
     void finishSplit(const BoundarySplit3d& split)
     {
         const VertexId v = split.vertex;
-        scale_.assign(v, t_.delaunay->neighboursOfCommitted(), ceilingAt(split));
-        scale_.gradeAgainFrom(v, lowered_);
+        const bool isLow = scale_.assign(v, t_.delaunay->neighboursOfCommitted(), ceilingAt(split));
         const SurfaceSplitResult& made = boundary_.made();
         for (const SegmentId half : made.halves) {
             if (half.isValid() && isTooLong(half)) pushSegment(half);
@@ -499,7 +498,7 @@ private:
             queueEncroachedAt(tet);
             queueTet(tet);
         }
-        for (const VertexId w : lowered_) queueStar(w);
+        if (isLow) gradeAround(v);
     }
 
     /// Mean of the scales of the vertices around, weighted by the inverse of their distance (thesis section 4.4). Between

@@ -143,22 +143,28 @@ void LengthScale3d::setGuard(VertexId v, double value)
     guard_[v] = value;
 }
 
-void LengthScale3d::assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling)
+bool LengthScale3d::assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling)
 {
     const Vec3 p = mesh_.position(v);
-    const double wanted = wantedAt(p);
     const double slope = 1.0 / sizing_.grading;
-    double newSize = std::min(wanted, sizeCeiling);
+    double newSize = std::min(wantedAt(p), sizeCeiling);
     double guards = 0.0;
     int count = 0;
+    growths_.clear();
     for (const VertexId w : neighbours) {
+        growths_.push_back(kNoSize);
         if (isGhost(w) || guard_[w] == kNoSize) continue;
-        newSize = std::min(newSize, size(w) + slope * length(mesh_.position(w) - p));
+        growths_.back() = slope * length(mesh_.position(w) - p);
+        newSize = std::min(newSize, size(w) + growths_.back());
         guards += guard_[w];
         ++count;
     }
     mesh_.setLengthScale(v, newSize);
     setGuard(v, count == 0 ? newSize : std::min(newSize, guards / count));
+    for (std::size_t i = 0; i < neighbours.size(); ++i) {
+        if (growths_[i] != kNoSize && size(neighbours[i]) > kSlack * (newSize + growths_[i])) return true;
+    }
+    return false;
 }
 
 void LengthScale3d::gradeAgainFrom(VertexId v, std::vector<VertexId>& lowered)

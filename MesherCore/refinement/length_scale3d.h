@@ -47,7 +47,8 @@ public:
     [[nodiscard]] double guard(VertexId v) const { return guard_[v]; }
 
     /// Equation 4.2 for a new vertex over its neighbours, the user's wish, and the ceiling; the guard as the neighbours' mean.
-    void assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling = kNoSize);
+    /// True if neighbours are too high for it now: gradeAgainFrom.
+    bool assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling = kNoSize);
     /// Lowers the scales around a vertex as far as its own is too low for them; `lowered` receives those that changed.
     void gradeAgainFrom(VertexId v, std::vector<VertexId>& lowered);
 
@@ -60,6 +61,7 @@ private:
     Triangulation3d& mesh_;
     VolumeSizing sizing_;
     IdVector<VertexId, double> guard_;
+    std::vector<double> growths_;
     std::vector<TetId> star_;
     std::vector<VertexId> front_;
 };
