@@ -1,4 +1,5 @@
 """Tests without a window: freecadcmd -t TestMesherApp."""
+import math
 import os
 import tempfile
 import unittest
@@ -12,6 +13,16 @@ from MesherWorkbench import make_mesh
 
 def _groups_of(fem_mesh):
     return {fem_mesh.getGroupName(group): len(fem_mesh.getGroupElements(group)) for group in fem_mesh.Groups}
+
+
+def _volume_of(fem_mesh):
+    """FreeCAD's own sums up quadratic elements only."""
+    nodes = fem_mesh.Nodes
+    total = 0.0
+    for element in fem_mesh.Volumes:
+        a, b, c, d = (nodes[n] for n in fem_mesh.getElementNodes(element))
+        total -= (b - a).cross(c - a).dot(d - a) / 6.0
+    return total
 
 
 class _DocumentTest(unittest.TestCase):
@@ -133,3 +144,122 @@ class Refusals(_DocumentTest):
     def test_unknown_option(self):
         with self.assertRaises(TypeError):
             make_mesh(self._feature(Part.makePlane(1, 1)), sizes=3.0)
+
+
+class Solids(_DocumentTest):
+    def _plate_with_hole(self):
+        plate = Part.makeBox(100, 50, 5).cut(Part.makeCylinder(10, 5, FreeCAD.Vector(50, 25, 0)))
+        return self._feature(plate, "Plate")
+
+    def test_groups_and_volume(self):
+        plate = self._plate_with_hole()
+        mesh = make_mesh(plate, size=5.0, curvature=12)
+        groups = _groups_of(mesh.FemMesh)
+        self.assertEqual(groups["Solid1"], mesh.FemMesh.TetraCount)
+        self.assertEqual(sorted(name for name in groups if name.startswith("Face")),
+                         sorted(f"Face{i}" for i in range(1, len(plate.Shape.Faces) + 1)))
+        self.assertAlmostEqual(_volume_of(mesh.FemMesh), plate.Shape.Volume, delta=0.005 * plate.Shape.Volume)
+        self.assertGreater(mesh.SmallestAngle, 18.0)
+        self.assertLess(mesh.LargestAngle, 155.0)
+
+    def test_fem_finds_the_nodes_of_every_face(self):
+        plate = self._plate_with_hole()
+        mesh = make_mesh(plate, size=8.0, curvature=12).FemMesh
+        for number, face in enumerate(plate.Shape.Faces, 1):
+            group = [g for g in mesh.Groups if mesh.getGroupName(g) == f"Face{number}"][0]
+            nodes = {n for element in mesh.getGroupElements(group) for n in mesh.getElementNodes(element)}
+            self.assertEqual(set(mesh.getNodesByFace(face)), nodes, f"Face{number}")
+
+    def test_every_element_is_the_right_way_round(self):
+        # CalculiX and VTK count a tetrahedron positive that SMESH, as FreeCAD keeps it, counts negative.
+        mesh = make_mesh(self._feature(Part.makeBox(1, 1, 1)), size=0.5).FemMesh
+        for element in mesh.Volumes:
+            a, b, c, d = (mesh.getNodeById(n) for n in mesh.getElementNodes(element))
+            self.assertLess((b - a).cross(c - a).dot(d - a), 0.0)
+
+    def test_same_mesh_as_from_a_file(self):
+        # A file has fifteen digits, a shape seventeen: the shape is the one that the file gives.
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "plate.brep")
+            self._plate_with_hole().Shape.exportBrep(path)
+            shape = Part.Shape()
+            shape.read(path)
+            self.assertEqual(mesher.mesh(path, size=8.0).hash, mesher.mesh(shape, size=8.0).hash)
+
+    def test_faces_of_a_solid_as_a_surface(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        self.document.recompute()
+        mesh = make_mesh(cylinder, size=1.0, curvature=24, dimension=2)
+        self.assertAlmostEqual(mesh.FemMesh.TriangleCount, mesh.ElementCount)
+        self.assertGreater(mesh.ElementCount, 100)
+
+    def test_shell_is_refused_with_a_remedy(self):
+        shell = self._feature(Part.Shell(Part.makeBox(1, 1, 1).Faces[:5]), "Shell")
+        with self.assertRaises(mesher.MeshingError) as refused:
+            make_mesh(shell, size=0.5, dimension=3)
+        self.assertIn("--dimension 2", str(refused.exception))
+
+
+class CalculiX(_DocumentTest):
+    """Meshes that a solver takes: results of theory within two per cent."""
+
+    def _solve(self, part, mesh, fixed, loaded, force, direction):
+        import ObjectsFem
+        from femtools import ccxtools
+
+        analysis = ObjectsFem.makeAnalysis(self.document)
+        solver = ObjectsFem.makeSolverCalculixCcxTools(self.document)
+        material = ObjectsFem.makeMaterialSolid(self.document)
+        steel = material.Material
+        steel.update(Name="Steel", YoungsModulus="210000 MPa", PoissonRatio="0.30")
+        material.Material = steel
+        fixing = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
+        fixing.References = [(part, fixed)]
+        load = ObjectsFem.makeConstraintForce(self.document, "Force")
+        load.References = [(part, loaded)]
+        load.Force = force
+        load.Direction = (part, [direction])
+        for member in (solver, material, fixing, load, mesh):
+            analysis.addObject(member)
+        self.document.recompute()
+        with tempfile.TemporaryDirectory() as directory:
+            run = ccxtools.FemToolsCcx(analysis, solver)
+            run.update_objects()
+            run.setup_working_dir(directory)
+            run.setup_ccx()
+            self.assertEqual(run.check_prerequisites(), "")
+            run.purge_results()
+            run.write_inp_file()
+            self.assertEqual(run.ccx_run(), 0)
+            run.load_results()
+        return self.document.getObject("CCX_Results")
+
+    def test_bar_in_tension(self):
+        bar = self.document.addObject("Part::Box", "Bar")
+        bar.Length = bar.Width = 10
+        bar.Height = 100
+        self.document.recompute()
+        mesh = make_mesh(bar, size=3.0)
+        results = self._solve(bar, mesh, "Face5", "Face6", 1000.0, "Edge1")
+        displacement = max(results.DisplacementLengths)
+        exact = 1000.0 * 100.0 / (210000.0 * 100.0)
+        self.assertAlmostEqual(displacement, exact, delta=0.02 * exact)
+
+    def test_plate_with_a_hole_in_tension(self):
+        shape = Part.makeBox(100, 50, 5).cut(Part.makeCylinder(5, 5, FreeCAD.Vector(50, 25, 0)))
+        plate = self._feature(shape, "Plate")
+        names = {}
+        for number, face in enumerate(shape.Faces, 1):
+            if abs(face.normalAt(0, 0).x) > 0.9 and face.Surface.TypeId == "Part::GeomPlane":
+                names[round(face.CenterOfMass.x)] = f"Face{number}"
+        along = [f"Edge{i}" for i, edge in enumerate(shape.Edges, 1)
+                 if edge.Curve.TypeId == "Part::GeomLine" and abs(edge.tangentAt(edge.FirstParameter).x) > 0.9][0]
+        mesh = make_mesh(plate, size=4.0, curvature=16)
+        results = self._solve(plate, mesh, names[0], names[100], 1000.0, along)
+        nominal = 1000.0 * 100.0 / (210000.0 * 250.0)
+        # A small hole of radius a in a sheet of width W and length L adds 3 pi a^2 / (W L) to the compliance: by energy, the
+        # dilute limit of a body with circular holes under uniaxial stress.
+        exact = nominal * (1.0 + 3.0 * math.pi * 5.0**2 / (50.0 * 100.0))
+        end = set(mesh.FemMesh.getNodesByFace(shape.getElement(names[100])))
+        loaded = [vector.x for vector, node in zip(results.DisplacementVectors, results.NodeNumbers) if node in end]
+        self.assertAlmostEqual(abs(sum(loaded) / len(loaded)), exact, delta=0.02 * exact)
