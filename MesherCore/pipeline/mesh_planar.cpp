@@ -1,11 +1,13 @@
 #include "pipeline/mesh_planar.h"
 
 #include "pipeline/estimate.h"
+#include "pipeline/option_checks.h"
 #include "pipeline/planar_sizes.h"
 #include "pipeline/report_steps.h"
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -57,8 +59,26 @@ void tellCounts(const PlanarResult& result, MeshReport& report)
                       {"refinement", result.seconds.refinement}};
 }
 
+/// Where features of the model rather than sizes that were asked for make a mesh large, the error names the smallest of them.
+void nameSmallestFeature(const PlanarCurveComplex& complex, const PlanarTriangulation& triangulation,
+                         const MeshOptions& options, Error& error)
+{
+    const Triangulation2d& mesh = triangulation.mesh();
+    double smallest = 0.5 * options.size.value_or(std::numeric_limits<double>::infinity());
+    for (const BoundaryVertex& vertex : triangulation.boundary.vertices) {
+        if (!vertex.vertex.isValid() || !mesh.isAlive(vertex.vertex)) continue;
+        const double scale = mesh.lengthScale(vertex.vertex) / triangulation.scale;
+        if (!(scale < smallest)) continue;
+        smallest = scale;
+        error.entity = vertex.point.isValid() ? nameOf(complex.points[vertex.point.value].vertex)
+                                              : nameOf(complex.curves[vertex.curve.value].edge);
+        error.point = vertex.space;
+    }
+    if (error.point) error.message += ", since sizes go down to " + decimalOf(smallest) + " here";
+}
+
 /// A run that was expected to go beyond the limit on elements is told by how much.
-void tellStop(const PlanarResult& result, MeshReport& report)
+void tellStop(const PlanarCurveComplex& complex, const PlanarResult& result, MeshReport& report)
 {
     const Result<void> affordable =
         checkAffordable(costOfTriangles(result.counts.expectedTriangles), report.options);
@@ -67,7 +87,9 @@ void tellStop(const PlanarResult& result, MeshReport& report)
         return;
     }
     report.stopReason = result.stopReason;
-    fail(report, affordable.error());
+    Error error = affordable.error();
+    nameSmallestFeature(complex, result.triangulation, report.options, error);
+    fail(report, std::move(error));
 }
 
 }  // namespace
@@ -116,7 +138,7 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
         return outcome;
     }
     tellCounts(result.value(), report);
-    tellStop(result.value(), report);
+    tellStop(complex, result.value(), report);
     // A run that ends early may not have got as far as a triangulation of the boundary.
     if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0)
         return outcome;

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "sizing/box_tree.h"
 #include "sizing/shape_sizes.h"
 #include "sizing/sizing_field.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace mesher {
@@ -30,21 +29,12 @@ public:
     [[nodiscard]] double smallestNear(const Vec3& centre, double radius) const override;
 
 private:
-    struct Node
-    {
-        Box3 box;
-        double smallest = kNoSize;
-        std::uint32_t begin = 0;  ///< of the attractors below it
-        std::uint32_t end = 0;
-        std::uint32_t second = 0;  ///< the second child; the first one follows the node; 0 for a leaf
-    };
-
-    std::uint32_t build(std::uint32_t begin, std::uint32_t end);
     [[nodiscard]] double sizeFrom(double size, double distance) const;
 
-    std::vector<Attractor> attractors_;
+    std::vector<Attractor> attractors_;  ///< in the order of the tree
     DistanceProfile profile_;
-    std::vector<Node> nodes_;
+    BoxTree tree_;
+    std::vector<double> smallest_;  ///< of the sizes below each node of the tree
 };
 
 }  // namespace mesher

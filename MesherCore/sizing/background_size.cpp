@@ -1,8 +1,7 @@
 #include "sizing/background_size.h"
 
-#include "base/box.h"
+#include "sizing/distances.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,17 +9,6 @@
 
 namespace mesher {
 namespace {
-
-constexpr std::uint32_t kLeafSize = 4;
-
-double component(const Vec3& v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
-
-double squaredDistanceToBox(const Vec3& p, const Box3& box)
-{
-    return squaredLength(Vec3{std::max({box.low.x - p.x, 0.0, p.x - box.high.x}),
-                              std::max({box.low.y - p.y, 0.0, p.y - box.high.y}),
-                              std::max({box.low.z - p.z, 0.0, p.z - box.high.z})});
-}
 
 /// A value at the closest point of an element, and how far that is.
 struct Closest
@@ -37,10 +25,8 @@ struct Closest
 void considerSegment(const Vec3& p, const Vec3& a, const Vec3& b, double sizeA, double sizeB,
                      Closest& closest)
 {
-    const Vec3 edge = b - a;
-    const double square = squaredLength(edge);
-    const double along = square > 0.0 ? std::clamp(dot(p - a, edge) / square, 0.0, 1.0) : 0.0;
-    closest.consider(squaredLength(p - (a + along * edge)), (1.0 - along) * sizeA + along * sizeB);
+    const double share = closestShare(p, a, b);
+    closest.consider(squaredLength(p - (a + share * (b - a))), (1.0 - share) * sizeA + share * sizeB);
 }
 
 void considerTriangle(const Vec3& p, const std::array<Vec3, 3>& c, const std::array<double, 3>& sizes,
@@ -101,56 +87,10 @@ Error backgroundError(std::string entity, std::string message)
 
 }  // namespace
 
-/// A tree of boxes over the elements, triangles first.
-struct BackgroundSize::Tree
-{
-    struct Node
-    {
-        Box3 box;
-        std::uint32_t begin = 0;
-        std::uint32_t end = 0;
-        std::uint32_t second = 0;  ///< 0 for a leaf
-    };
-    struct Item
-    {
-        Box3 box;
-        std::uint32_t element = 0;
-    };
-
-    std::vector<Node> nodes;
-    std::vector<Item> items;
-
-    std::uint32_t build(std::uint32_t begin, std::uint32_t end)
-    {
-        const auto index = static_cast<std::uint32_t>(nodes.size());
-        Node node{{}, begin, end, 0};
-        for (std::uint32_t i = begin; i < end; ++i) {
-            node.box.include(items[i].box.low);
-            node.box.include(items[i].box.high);
-        }
-        nodes.push_back(node);
-        if (end - begin <= kLeafSize) return index;
-        const Vec3 extent = node.box.extent();
-        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
-        const std::uint32_t half = begin + (end - begin) / 2;
-        std::nth_element(items.begin() + begin, items.begin() + half, items.begin() + end,
-                         [axis](const Item& a, const Item& b) {
-                             return component(a.box.low, axis) + component(a.box.high, axis) <
-                                    component(b.box.low, axis) + component(b.box.high, axis);
-                         });
-        build(begin, half);
-        const std::uint32_t second = build(half, end);
-        nodes[index].second = second;
-        return index;
-    }
-};
-
-BackgroundSize::BackgroundSize(BackgroundMesh mesh, std::unique_ptr<Tree> tree)
+BackgroundSize::BackgroundSize(BackgroundMesh mesh, BoxTree tree)
     : mesh_(std::move(mesh)), tree_(std::move(tree))
 {
 }
-
-BackgroundSize::~BackgroundSize() = default;
 
 Result<std::shared_ptr<const BackgroundSize>> BackgroundSize::make(BackgroundMesh mesh)
 {
@@ -161,56 +101,46 @@ Result<std::shared_ptr<const BackgroundSize>> BackgroundSize::make(BackgroundMes
         return backgroundError("background node " + std::to_string(i),
                                "its size or place is not a positive, finite number");
     }
-    auto tree = std::make_unique<Tree>();
+    std::vector<Box3> boxes;
     bool areIndicesValid = true;
     const auto add = [&](const auto& element) {
-        Tree::Item item{{}, static_cast<std::uint32_t>(tree->items.size())};
+        Box3 box;
         for (const std::uint32_t node : element) {
             if (node >= mesh.nodes.size()) {
                 areIndicesValid = false;
                 return;
             }
-            item.box.include(mesh.nodes[node]);
+            box.include(mesh.nodes[node]);
         }
-        tree->items.push_back(item);
+        boxes.push_back(box);
     };
     for (const auto& triangle : mesh.triangles) add(triangle);
     for (const auto& tet : mesh.tets) add(tet);
     if (!areIndicesValid)
         return backgroundError("background mesh", "an element has a node that does not exist");
-    if (tree->items.empty()) return backgroundError("background mesh", "it has no elements");
-    tree->build(0, static_cast<std::uint32_t>(tree->items.size()));
-    return std::shared_ptr<const BackgroundSize>(new BackgroundSize(std::move(mesh), std::move(tree)));
+    if (boxes.empty()) return backgroundError("background mesh", "it has no elements");
+    return std::shared_ptr<const BackgroundSize>(new BackgroundSize(std::move(mesh), BoxTree(boxes)));
 }
 
 double BackgroundSize::sizeAt(const Vec3& point) const
 {
     Closest closest;
-    std::vector<std::uint32_t> stack{0};
-    while (!stack.empty()) {
-        const std::uint32_t index = stack.back();
-        stack.pop_back();
-        const Tree::Node& node = tree_->nodes[index];
-        if (squaredDistanceToBox(point, node.box) >= closest.squaredDistance) continue;
-        if (node.second != 0) {
-            stack.push_back(node.second);
-            stack.push_back(index + 1);
-            continue;
+    const std::vector<Vec3>& n = mesh_.nodes;
+    const std::vector<double>& s = mesh_.sizes;
+    const auto boundOf = [&](std::uint32_t node) { return squaredDistance(point, tree_.nodes()[node].box); };
+    const auto look = [&](std::uint32_t i) {
+        const std::uint32_t element = tree_.order()[i];
+        if (element < mesh_.triangles.size()) {
+            const auto& e = mesh_.triangles[element];
+            considerTriangle(point, {n[e[0]], n[e[1]], n[e[2]]}, {s[e[0]], s[e[1]], s[e[2]]}, closest);
+        } else {
+            const auto& e = mesh_.tets[element - mesh_.triangles.size()];
+            considerTet(point, {n[e[0]], n[e[1]], n[e[2]], n[e[3]]}, {s[e[0]], s[e[1]], s[e[2]], s[e[3]]},
+                        closest);
         }
-        for (std::uint32_t i = node.begin; i < node.end; ++i) {
-            const std::uint32_t element = tree_->items[i].element;
-            const auto& n = mesh_.nodes;
-            const auto& s = mesh_.sizes;
-            if (element < mesh_.triangles.size()) {
-                const auto& e = mesh_.triangles[element];
-                considerTriangle(point, {n[e[0]], n[e[1]], n[e[2]]}, {s[e[0]], s[e[1]], s[e[2]]}, closest);
-            } else {
-                const auto& e = mesh_.tets[element - mesh_.triangles.size()];
-                considerTet(point, {n[e[0]], n[e[1]], n[e[2]], n[e[3]]}, {s[e[0]], s[e[1]], s[e[2]], s[e[3]]},
-                            closest);
-            }
-        }
-    }
+        return closest.squaredDistance;
+    };
+    tree_.searchSmallest(boundOf, look, closest.squaredDistance);
     return closest.value;
 }
 

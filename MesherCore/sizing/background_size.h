@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "sizing/box_tree.h"
 #include "sizing/sizing_field.h"
 
 #include <array>
@@ -26,15 +27,13 @@ class BackgroundSize final : public SizingField
 {
 public:
     [[nodiscard]] static Result<std::shared_ptr<const BackgroundSize>> make(BackgroundMesh mesh);
-    ~BackgroundSize() override;
     [[nodiscard]] double sizeAt(const Vec3& point) const override;
 
 private:
-    struct Tree;
-    BackgroundSize(BackgroundMesh mesh, std::unique_ptr<Tree> tree);
+    BackgroundSize(BackgroundMesh mesh, BoxTree tree);
 
     BackgroundMesh mesh_;
-    std::unique_ptr<Tree> tree_;
+    BoxTree tree_;  ///< over the elements, triangles first
 };
 
 }  // namespace mesher

@@ -1,6 +1,9 @@
 #include "sizing/shape_sizes.h"
 
+#include "sizing/distances.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace mesher {
 
@@ -12,10 +15,7 @@ double DistanceProfile::at(double distance) const
 
 double BoxSize::smallestNear(const Vec3& centre, double radius) const
 {
-    const Vec3 outside{std::max({box_.low.x - centre.x, 0.0, centre.x - box_.high.x}),
-                       std::max({box_.low.y - centre.y, 0.0, centre.y - box_.high.y}),
-                       std::max({box_.low.z - centre.z, 0.0, centre.z - box_.high.z})};
-    return profile_.at(std::max(0.0, length(outside) - radius));
+    return profile_.at(std::max(0.0, std::sqrt(squaredDistance(centre, box_)) - radius));
 }
 
 double BallSize::smallestNear(const Vec3& centre, double radius) const

@@ -15,26 +15,24 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
 
-CircleCurve::CircleCurve(const Axes& axes, double radius, Interval range)
-    : axes_(axes), radius_(radius), range_(range)
+ConicCurve::ConicCurve(const Axes& axes, double a, double b, Interval range)
+    : axes_(axes), a_(a), b_(b), range_(range)
 {
-    MESHER_PRECONDITION(radius > 0.0);
+    MESHER_PRECONDITION(a > 0.0 && b > 0.0);
 }
 
-Vec3 CircleCurve::position(double t) const
-{
-    return axes_.toSpace({radius_ * std::cos(t), radius_ * std::sin(t), 0.0});
-}
+Vec3 ConicCurve::position(double t) const { return axes_.toSpace({a_ * std::cos(t), b_ * std::sin(t), 0.0}); }
 
-CurvePoint CircleCurve::evaluate(double t) const
+CurvePoint ConicCurve::evaluate(double t) const
 {
-    const double c = radius_ * std::cos(t), s = radius_ * std::sin(t);
-    return {axes_.toSpace({c, s, 0.0}), axes_.direction({-s, c, 0.0}), axes_.direction({-c, -s, 0.0})};
+    const double c = std::cos(t), s = std::sin(t);
+    return {axes_.toSpace({a_ * c, b_ * s, 0.0}), axes_.direction({-a_ * s, b_ * c, 0.0}),
+            axes_.direction({-a_ * c, -b_ * s, 0.0})};
 }
 
 CurveProjection CircleCurve::project(const Vec3& point, Interval part, std::optional<double>) const
 {
-    const Vec3 local = axes_.toLocal(point);
+    const Vec3 local = axes().toLocal(point);
     double t = part.first;
     if (local.x != 0.0 || local.y != 0.0) {
         t = wrapInto(std::atan2(local.y, local.x), part.first, kTurn);
@@ -43,24 +41,6 @@ CurveProjection CircleCurve::project(const Vec3& point, Interval part, std::opti
     }
     const Vec3 closest = position(t);
     return {t, closest, length(closest - point)};
-}
-
-EllipseCurve::EllipseCurve(const Axes& axes, double a, double b, Interval range)
-    : axes_(axes), a_(a), b_(b), range_(range)
-{
-    MESHER_PRECONDITION(a > 0.0 && b > 0.0);
-}
-
-Vec3 EllipseCurve::position(double t) const
-{
-    return axes_.toSpace({a_ * std::cos(t), b_ * std::sin(t), 0.0});
-}
-
-CurvePoint EllipseCurve::evaluate(double t) const
-{
-    const double c = std::cos(t), s = std::sin(t);
-    return {axes_.toSpace({a_ * c, b_ * s, 0.0}), axes_.direction({-a_ * s, b_ * c, 0.0}),
-            axes_.direction({-a_ * c, -b_ * s, 0.0})};
 }
 
 CurveProjection EllipseCurve::project(const Vec3& point, Interval part, std::optional<double> seed) const

@@ -1,7 +1,7 @@
 #include "brep/occt/shape_reader.h"
 
+#include "brep/occt/file_damage.h"
 #include "brep/occt/occt_error.h"
-#include "brep/occt/step_damage.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -13,6 +13,7 @@
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 
@@ -76,6 +77,8 @@ Result<ShapeFromFile> readIges(const std::string& name)
     const IFSelect_ReturnStatus status = reader.ReadFile(name.c_str());
     if (status != IFSelect_RetDone)
         return unreadable(name, "the IGES file cannot be read: " + reasonOf(status));
+    if (const std::optional<std::string> damage = findDamage(reader.IGESModel()))
+        return unreadable(name, "the IGES file is damaged at " + *damage);
     Result<TopoDS_Shape> shape = transfer(reader, name);
     if (!shape) return shape.error();
     const Handle(TCollection_HAsciiString) unit = reader.IGESModel()->GlobalSection().UnitName();

@@ -158,6 +158,19 @@ TEST(ReadModel, ReadsIges)
     const std::string content = contentOf(path);
     EXPECT_FALSE(fromMemory(content));
     EXPECT_FALSE(readText(content.substr(0, content.size() / 2)));
+
+    // A loop of a face becomes a point.
+    std::string damaged = content;
+    for (int line = 0; line < 2; ++line) {
+        const std::size_t loop = damaged.find("\n     508");
+        ASSERT_NE(loop, std::string::npos);
+        damaged.replace(loop, 9, "\n     116");
+    }
+    std::ofstream(path) << damaged;
+    const Result<ReadModel> refused = readModel(path);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("the IGES file is damaged at D"), std::string::npos)
+        << describe(refused.error());
 }
 
 TEST(ReadModel, BadFilesAreOneErrorWithFileAndRemedy)

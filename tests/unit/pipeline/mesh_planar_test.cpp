@@ -110,6 +110,20 @@ TEST(MeshPlanar, RefusesBeforehandWhatWouldExceedTheLimitByFar)
     EXPECT_LT(outcome.result->mesh.triangles.size(), 1000u);
 }
 
+TEST(MeshPlanar, NamesTheFeatureThatMakesAMeshTooLarge)
+{
+    RunContext context;
+    MeshOptions options = sized(0.5);
+    options.localSizes = {{"Edge2", 1e-6}};
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
+    ASSERT_EQ(outcome.report.failures.size(), 1u);
+    const Error& error = outcome.report.failures[0];
+    EXPECT_TRUE(error.entity == "Edge2" || error.entity == "Vertex2") << error.entity;
+    ASSERT_TRUE(error.point);
+    EXPECT_NEAR(length(*error.point), 1.0, 1e-12);
+    EXPECT_NE(error.message.find("sizes go down to 1e-06 here"), std::string::npos) << error.message;
+}
+
 TEST(MeshPlanar, SaysThatItWasCancelled)
 {
     RunContext context;
