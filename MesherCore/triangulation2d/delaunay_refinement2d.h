@@ -34,6 +34,7 @@ struct LeftTriangle2d
     TriangleId triangle;
     LeftReason2d reason = LeftReason2d::Unfinished;
     SmallAngleId smallAngle;  ///< for SmallInputAngle
+    InputAngle inputAngle;    ///< for SmallInputAngle: the one it lies in
     double smallestAngle = 0.0;
     double largestAngle = 0.0;
 };

