@@ -359,11 +359,11 @@ private:
     }
 
     /// Between the curves that the ends of the triangle's shortest edge lie on.
-    [[nodiscard]] InputAngle inputAngleAt(const Triangle2d& record, const TriangleShape2d& shape,
-                                          SmallAngleId complex) const
+    [[nodiscard]] std::uint32_t inputAngleAt(const Triangle2d& record, const TriangleShape2d& shape,
+                                             SmallAngleId complex) const
     {
         const auto spokeOf = [&](VertexId v) { return t_.boundary.vertices[t_.boundaryVertexOf(v)].spoke; };
-        return t_.smallAngles.complexes[complex].between(
+        return t_.smallAngles.complexes[complex].angleBetween(
             spokeOf(record.v[nextCorner(shape.shortestEdge)]),
             spokeOf(record.v[previousCorner(shape.shortestEdge)]));
     }

@@ -255,11 +255,11 @@ double SmallAngleComplex::smallestAngle() const
     return smallest;
 }
 
-const InputAngle& SmallAngleComplex::between(std::uint32_t spoke, std::uint32_t other) const
+std::uint32_t SmallAngleComplex::angleBetween(std::uint32_t spoke, std::uint32_t other) const
 {
     const auto [low, high] = std::minmax(spoke, other);
     MESHER_PRECONDITION(low + 1 == high || (low == 0 && high + 1 == angles.size()));
-    return low + 1 == high ? angles[low] : angles.back();
+    return low + 1 == high ? low : high;
 }
 
 SmallAngles2d protectSmallAngles(const PlanarDomain& domain, Boundary& boundary)

@@ -106,8 +106,8 @@ int run(const Options& options)
         if (failure || options.isVerbose) {
             std::cout << "domain " << i << " of seed " << options.seed << " [" << domain.description << "] R "
                       << planar.refinement.sizing.refinement << " G " << planar.refinement.sizing.grading
-                      << " bound " << planar.refinement.minAngle << ": " << (failure ? "FAILED " + *failure : summary) << " (" << seconds << " s)"
-                      << std::endl;
+                      << " bound " << planar.refinement.minAngle << ": "
+                      << (failure ? "FAILED " + *failure : summary) << " (" << seconds << " s)" << std::endl;
         }
     }
     std::cout << options.domains << " domains, " << failures << " failures" << std::endl;

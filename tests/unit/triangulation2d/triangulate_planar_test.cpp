@@ -9,6 +9,7 @@
 #include "triangulation2d/planar_check.h"
 #include "triangulation2d/planar_estimate.h"
 #include "triangulation2d/planar_export.h"
+#include "triangulation2d/small_angle_report2d.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -207,11 +208,22 @@ TEST(TriangulatePlanar, listsTheTrianglesLeftBesideSmallAngles)
         ASSERT_EQ(left.reason, LeftReason2d::SmallInputAngle);
         EXPECT_LT(left.smallestAngle, 30.0);
         EXPECT_LT(left.largestAngle, 137.0);
-        listed.insert(std::round(left.inputAngle.degrees * 10.0) / 10.0);
+        const SmallAngleComplex& complex = result.triangulation.smallAngles.complexes[left.smallAngle];
+        const double degrees = complex.angles[left.inputAngle].degrees;
+        listed.insert(std::round(degrees * 10.0) / 10.0);
         // The curves bend a little, so that what is seen from the apex is not quite the angle at it.
-        EXPECT_NEAR(left.inputAngle.degrees, shortestEdgeSeenFrom({0.0, 0.0}, result, left.triangle), 0.15);
+        EXPECT_NEAR(degrees, shortestEdgeSeenFrom({0.0, 0.0}, result, left.triangle), 0.15);
     }
     EXPECT_EQ(listed, (std::set<double>{0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0, 45.0}));
+    std::size_t reported = 0;
+    for (const TrianglesBesideAngle2d& beside : trianglesBesideSmallAngles(result)) {
+        EXPECT_EQ(listed.erase(std::round(beside.angle.degrees * 10.0) / 10.0), 1u);
+        EXPECT_LT(beside.largestAngle, 137.0);
+        EXPECT_EQ(beside.apex, (Vec2{0.0, 0.0}));
+        reported += beside.triangles;
+    }
+    EXPECT_TRUE(listed.empty());
+    EXPECT_EQ(reported, result.refinement.left.size());
 }
 
 /// The annulus in a plane anywhere in space, and at any scale.
