@@ -226,6 +226,32 @@ TEST(TriangulatePlanar, listsTheTrianglesLeftBesideSmallAngles)
     EXPECT_EQ(reported, result.refinement.left.size());
 }
 
+/// A square with two holes, circles that touch each other from outside.
+PlanarCurveComplex touchingHoles(double first, double second, double turn)
+{
+    PlanarBuilder builder;
+    const Vec2 corners[] = {{-0.75, -0.75}, {0.75, -0.75}, {0.75, 0.75}, {-0.75, 0.75}};
+    builder.polygon(corners);
+    const PccPointId p = builder.point({0.0, 0.0});
+    const Vec2 direction{std::cos(turn), std::sin(turn)};
+    builder.arc(p, p, first * direction, 2.0 * std::numbers::pi, {0, 1});
+    builder.arc(p, p, -second * direction, 2.0 * std::numbers::pi, {0, 1});
+    return builder.build();
+}
+
+/// Beside a cusp the triangles left alone lie between chords that are no mirror images, and could be wider than between lines.
+TEST(TriangulatePlanar, leavesNoWideTriangleBesideACusp)
+{
+    PlanarOptions options;
+    options.refinement.sizing.usesLocalFeatureSize = false;
+    for (const double radius : {0.18, 0.15, 0.12, 0.0892, 0.07, 0.0396, 0.02}) {
+        const PlanarCurveComplex complex = touchingHoles(0.2, radius, 2.0);
+        const PlanarResult result = meshOf(complex, options);
+        EXPECT_LE(checkPlanar(complex, result, options).angles.largest, 137.0) << radius;
+        EXPECT_LT(result.counts.triangles, 1000u) << radius;
+    }
+}
+
 /// The annulus in a plane anywhere in space, and at any scale.
 PlanarCurveComplex annulusAt(double scale)
 {
