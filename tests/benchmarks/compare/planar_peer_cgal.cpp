@@ -9,8 +9,6 @@
 #include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -18,6 +16,7 @@
 #include <fstream>
 #include <iostream>
 #include <list>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,11 +51,17 @@ Outline readOutline(const char* path)
 
 double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// Largest resident size of this process so far, bytes.
 double peakMemory()
 {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+    // Not getrusage: its maximum is inherited from the process that started this one.
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    double kibibytes = 0.0;
+    while (status >> word) {
+        if (word == "VmHWM:" && status >> kibibytes) break;
+    }
+    return 1024.0 * kibibytes;
 }
 
 /// The smallest and the largest angle of a triangle, degrees.

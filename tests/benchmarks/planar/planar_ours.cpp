@@ -9,8 +9,6 @@
 #include "triangulation2d/planar_check.h"
 #include "triangulation2d/triangulate_planar.h"
 
-#include <sys/resource.h>
-
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -41,9 +39,14 @@ double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 /// Largest resident size of this process so far, bytes.
 double peakMemory()
 {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+    // Not getrusage: its maximum is inherited from the process that started this one.
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    double kibibytes = 0.0;
+    while (status >> word) {
+        if (word == "VmHWM:" && status >> kibibytes) break;
+    }
+    return 1024.0 * kibibytes;
 }
 
 int mesh(const Domain& domain, double size, double degrees)
