@@ -73,6 +73,7 @@ public:
         for (const MeshNode& node : mesh.nodes) {
             if (isFinite(node.position)) box_.include(projected(node.position));
         }
+        if (options.window) box_ = *options.window;
         const Vec2 extent = box_.extent();
         const double room = static_cast<double>(options.width) - 2.0 * kMargin;
         const double largest = std::max(extent.x, extent.y);
@@ -123,13 +124,25 @@ private:
             drawLine(image, corners[k], corners[(k + 1) % 3], options_.edgeWidth, kEdgeColour, opacity);
         }
     }
+    [[nodiscard]] bool isOnPicture(const MeshElement<3>& triangle) const
+    {
+        Box2 box;
+        for (const NodeId node : triangle.node) box.include(projected(mesh_.nodes[node].position));
+        return box.low.x <= box_.high.x && box_.low.x <= box.high.x && box.low.y <= box_.high.y &&
+               box_.low.y <= box.high.y;
+    }
     /// By the mean size of a triangle on the picture.
     [[nodiscard]] double edgeOpacity() const
     {
         double area = 0.0;
-        for (const MeshElement<3>& triangle : mesh_.triangles)
+        std::size_t count = 0;
+        for (const MeshElement<3>& triangle : mesh_.triangles) {
+            if (!isOnPicture(triangle)) continue;
             area += shapeOf(cornersOf(mesh_, triangle)).area;
-        const double edge = scale_ * std::sqrt(2.3 * area / static_cast<double>(mesh_.triangles.size()));
+            ++count;
+        }
+        const double edge =
+            scale_ * std::sqrt(2.3 * area / static_cast<double>(std::max<std::size_t>(count, 1)));
         return std::clamp(edge / kFullyDrawnLength, kFaintestEdge, 1.0);
     }
     [[nodiscard]] Colour colourOf(const MeshElement<3>& triangle) const
@@ -179,6 +192,9 @@ Result<Image> drawMesh(const ClassifiedMesh& mesh, const DrawingOptions& options
                      {},
                      {},
                      {}};
+    }
+    if (options.window && !(options.window->extent().x > 0.0 && options.window->extent().y > 0.0)) {
+        return Error{ErrorCode::InvalidArgument, "the window of the picture has no area", {}, {}, {}};
     }
     for (const MeshNode& node : mesh.nodes) {
         if (!isFinite(node.position)) {

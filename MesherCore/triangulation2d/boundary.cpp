@@ -54,6 +54,7 @@ Boundary::Halves Boundary::split(SubcurveId s, const SplitPlace& place)
     Subcurve first = subcurves[s];
     halves.vertex = addSample(place.place, first.curve, place.parameter, false);
     vertices[halves.vertex].shell = place.wedge;
+    vertices[halves.vertex].spoke = first.spoke;
     vertices[halves.vertex].shellRadius = place.radius;
     first.isQueued = false;
     if (!place.wedge.isValid()) first.wedge = SmallAngleId();

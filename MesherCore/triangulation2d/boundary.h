@@ -30,6 +30,7 @@ struct BoundaryVertex
     VertexId vertex;        ///< in the triangulation, once there is one
     /// Valid for vertices on a shell, a circle around the apex of a small angle.
     SmallAngleId shell;
+    std::uint32_t spoke = 0;  ///< which of the small angle's curves it lies on
     double shellRadius = 0.0;
 };
 
@@ -41,6 +42,7 @@ struct Subcurve
     BoundaryVertexId last;
     /// Valid within the first shell around the apex of a small angle: both ends are at known distances from it.
     SmallAngleId wedge;
+    std::uint32_t spoke = 0;  ///< its number among the curves of the small angle, counter-clockwise
     CurveEnd nearEnd = CurveEnd::First;
     double nearRadius = 0.0;
     double farRadius = 0.0;

@@ -160,22 +160,31 @@ private:
         const Vec2 centre = circumcenter(mesh_.position(record.v[0]), mesh_.position(record.v[1]),
                                          mesh_.position(record.v[2]));
         if (!isInExactRange(centre)) return Attempt::Impossible;
+        spared_ = criteria_.smallAngleSpannedBy(t);
         const StraightWalk2d walk = walkStraight(mesh_, t_.delaunay.filterFor(centre), t, centre);
         if (walk.outcome == StraightWalk2d::Outcome::Lost) {
             ++result_.lostWalks;
             return Attempt::Impossible;
         }
         if (walk.outcome == StraightWalk2d::Outcome::Blocked) {
-            return queueSubcurve(t_.subcurveOf(walk.blocker)) ? Attempt::Deferred : Attempt::Impossible;
+            return queueObstacle(t_.subcurveOf(walk.blocker)) ? Attempt::Deferred : Attempt::Impossible;
         }
         if (walk.location.kind == Location2d::Kind::OnVertex) return Attempt::Impossible;
         if (walk.location.kind == Location2d::Kind::OnEdge && mesh_.isConstrained(walk.location.edge)) {
-            return queueSubcurve(t_.subcurveOf(walk.location.edge)) ? Attempt::Deferred : Attempt::Impossible;
+            return queueObstacle(t_.subcurveOf(walk.location.edge)) ? Attempt::Deferred : Attempt::Impossible;
         }
         t_.delaunay.findCavity(centre, walk.location, cavity_, StarCheck::Trust);
         if (const Attempt outcome = queueEncroached(centre); outcome != Attempt::Inserted) return outcome;
         insert();
         return Attempt::Inserted;
+    }
+
+    /// False if the subcurve in the way of an insertion cannot be split, or must not be: a triangle beside a small angle may
+    /// not have the angle's own subcurves split, from which a cascade could start.
+    bool queueObstacle(SubcurveId s)
+    {
+        const bool isSpared = spared_.isValid() && t_.boundary.subcurves[s].wedge.isValid();
+        return !isSpared && queueSubcurve(s);
     }
 
     /// Inserted if the cavity's point encroaches on no subcurve.
@@ -188,7 +197,7 @@ private:
             const VertexId to = mesh_.edgeTo(edge);
             if (!isInDiametralLens(mesh_.position(from), mesh_.position(to), point)) continue;
             isEncroaching = true;
-            isQueued = queueSubcurve(t_.subcurveOf(from, to)) || isQueued;
+            isQueued = queueObstacle(t_.subcurveOf(from, to)) || isQueued;
         }
         if (!isEncroaching) return Attempt::Inserted;
         return isQueued ? Attempt::Deferred : Attempt::Impossible;
@@ -343,9 +352,20 @@ private:
             left.reason = left.smallAngle.isValid() ? LeftReason2d::SmallInputAngle
                           : isImpossible(t)         ? LeftReason2d::Resolution
                                                     : LeftReason2d::Unfinished;
+            if (left.smallAngle.isValid()) left.inputAngle = inputAngleAt(record, shape, left.smallAngle);
             measureAngles(record, left);
             result_.left.push_back(left);
         }
+    }
+
+    /// Between the curves that the ends of the triangle's shortest edge lie on.
+    [[nodiscard]] std::uint32_t inputAngleAt(const Triangle2d& record, const TriangleShape2d& shape,
+                                             SmallAngleId complex) const
+    {
+        const auto spokeOf = [&](VertexId v) { return t_.boundary.vertices[t_.boundaryVertexOf(v)].spoke; };
+        return t_.smallAngles.complexes[complex].angleBetween(
+            spokeOf(record.v[nextCorner(shape.shortestEdge)]),
+            spokeOf(record.v[previousCorner(shape.shortestEdge)]));
     }
 
     void measureAngles(const Triangle2d& record, LeftTriangle2d& left) const
@@ -383,6 +403,7 @@ private:
     BucketQueue<TriangleId> qualityQueue_;
     /// Triangles that cannot be refined, with the generation for which this holds.
     IndexedMap<TriangleId, std::uint16_t> impossible_;
+    SmallAngleId spared_;  ///< the small angle that the triangle in hand spans
     int blockedInTurn_ = 0;
     std::uint64_t meshedTriangles_ = 0;
     bool isStopped_ = false;

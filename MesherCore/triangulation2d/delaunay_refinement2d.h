@@ -8,6 +8,7 @@
 #include "triangulation2d/subcurve_split2d.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace mesher {
@@ -33,7 +34,8 @@ struct LeftTriangle2d
 {
     TriangleId triangle;
     LeftReason2d reason = LeftReason2d::Unfinished;
-    SmallAngleId smallAngle;  ///< for SmallInputAngle
+    SmallAngleId smallAngle;       ///< for SmallInputAngle
+    std::uint32_t inputAngle = 0;  ///< for SmallInputAngle: which of the complex's angles it lies beside
     double smallestAngle = 0.0;
     double largestAngle = 0.0;
 };

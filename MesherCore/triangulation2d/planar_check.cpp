@@ -33,7 +33,8 @@ public:
     {
         const CheckReport delaunay = checkDelaunay2d(mesh_);
         if (!delaunay.isValid()) add("not constrained Delaunay: " + delaunay.problem);
-        for (const PccPoint& point : complex_.points) box_.include(point.position);
+        for (const BoundaryVertex& vertex : t_.boundary.vertices)
+            box_.include(complex_.frame.toPlane(vertex.space));
         check_.regions.resize(complex_.regionNames.size());
         checkChains();
         checkEdges();

@@ -14,6 +14,10 @@ constexpr double kSquaredSizeBound = 0.5;
 /// A user's size is an edge length: halves of edges above sqrt(2) times it are nearer to it than the whole.
 constexpr double kLongestOverWanted = std::numbers::sqrt2;
 
+/// [miller2003] leaves no angle wider than 137 degrees beside small angles between segments. Between curves a triangle
+/// that is left alone can be wider: that one is refined as far as it costs the small angle's own subcurves no split.
+const double kCosineOfWidest = std::cos(137.0 / kDegreesPerRadian);
+
 /// Too large by a factor of 1 to 2, 2 to 4, and so on. Finer steps give 2 % fewer triangles, but sweep over the domain
 /// once for each step, which costs a third of the time in cache misses.
 double sizeClass(double squaredFactor) { return std::ldexp(1.0, 2 * (std::ilogb(squaredFactor) / 2)); }
@@ -55,8 +59,10 @@ RefinementVerdict2d RefinementCriteria2d::judge(TriangleId t) const
     if (verdict.need == RefinementNeed2d::Nothing && shape.squaredRatio() > squaredBound_) {
         verdict = {RefinementNeed2d::Quality, shape.squaredRatio()};
     }
-    if (verdict.need != RefinementNeed2d::Nothing && smallAngleSpannedBy(record, shape).isValid()) return {};
-    return verdict;
+    if (verdict.need == RefinementNeed2d::Nothing || !smallAngleSpannedBy(record, shape).isValid())
+        return verdict;
+    if (!hasAngleWiderThan(kCosineOfWidest, a, b, c)) return {};
+    return {RefinementNeed2d::Quality, shape.squaredRatio()};
 }
 
 /// A triangle may hide a small place of the field between its vertices.
@@ -82,6 +88,14 @@ SmallAngleId RefinementCriteria2d::smallAngleSpannedBy(const Triangle2d& record,
     const bool isOnOneShell =
         first.shell.isValid() && first.shell == last.shell && first.shellRadius == last.shellRadius;
     return isOnOneShell ? first.shell : SmallAngleId();
+}
+
+SmallAngleId RefinementCriteria2d::smallAngleSpannedBy(TriangleId t) const
+{
+    const Triangle2d& record = mesh_.triangle(t);
+    return smallAngleSpannedBy(record,
+                               TriangleShape2d::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]),
+                                                   mesh_.position(record.v[2])));
 }
 
 bool RefinementCriteria2d::isTooLong(SubcurveId s) const

@@ -30,6 +30,7 @@ public:
     /// Of a meshed triangle.
     [[nodiscard]] RefinementVerdict2d judge(TriangleId t) const;
     [[nodiscard]] bool isTooLong(SubcurveId s) const;
+    [[nodiscard]] SmallAngleId smallAngleSpannedBy(TriangleId t) const;
     [[nodiscard]] bool hasSmallAngle(const TriangleShape2d& shape) const
     {
         return shape.squaredRatio() > squaredBound_;

@@ -69,6 +69,8 @@ struct Enrolment
 {
     SmallAngleId first;
     SmallAngleId last;
+    std::uint32_t firstSpoke = 0;
+    std::uint32_t lastSpoke = 0;
 
     [[nodiscard]] SmallAngleId only() const { return first.isValid() ? first : last; }
 };
@@ -157,16 +159,21 @@ private:
             const CurveEndAt& next = ends[(i + 1) % count];
             result_.complexes[open].angles.push_back({boundary_.subcurves[ends[i].subcurve].curve,
                                                       boundary_.subcurves[next.subcurve].curve, wedges[i]});
-            enrol(ends[i], open);
-            enrol(next, open);
+            const auto spokes = static_cast<std::uint32_t>(result_.complexes[open].angles.size());
+            enrol(ends[i], open, spokes - 1);
+            enrol(next, open, spokes);
         }
     }
 
-    void enrol(const CurveEndAt& end, SmallAngleId complex)
+    /// A curve between two angles comes twice, and keeps the number it had first where the angles close the turn.
+    void enrol(const CurveEndAt& end, SmallAngleId complex, std::uint32_t spoke)
     {
         enrolments_.resize(boundary_.subcurves.size());
         Enrolment& enrolment = enrolments_[end.subcurve.value];
-        (end.end == CurveEnd::First ? enrolment.first : enrolment.last) = complex;
+        const bool isFirst = end.end == CurveEnd::First;
+        if ((isFirst ? enrolment.first : enrolment.last) == complex) return;
+        (isFirst ? enrolment.first : enrolment.last) = complex;
+        (isFirst ? enrolment.firstSpoke : enrolment.lastSpoke) = spoke;
     }
 
     /// A subcurve between two apexes is split at its ordinary place; either half then has one.
@@ -186,7 +193,9 @@ private:
             enrolments_.resize(boundary_.subcurves.size());
             enrolments_[i] = {};
             enrolments_[halves.first.value].first = whole.first;
+            enrolments_[halves.first.value].firstSpoke = whole.firstSpoke;
             enrolments_[halves.last.value].last = whole.last;
+            enrolments_[halves.last.value].lastSpoke = whole.lastSpoke;
         }
     }
 
@@ -222,6 +231,7 @@ private:
         Subcurve& subcurve = boundary_.subcurves[s];
         subcurve.nearEnd = end;
         subcurve.wedge = complex;
+        subcurve.spoke = end == CurveEnd::First ? enrolment.firstSpoke : enrolment.lastSpoke;
         place->wedge = complex;
         const Boundary::Halves halves = boundary_.split(s, *place);
         // Beyond the first shell the curves go their own ways.
@@ -245,6 +255,13 @@ double SmallAngleComplex::smallestAngle() const
     double smallest = SmallAngles2d::kLimitDegrees;
     for (const InputAngle& angle : angles) smallest = std::min(smallest, angle.degrees);
     return smallest;
+}
+
+std::uint32_t SmallAngleComplex::angleBetween(std::uint32_t spoke, std::uint32_t other) const
+{
+    const auto [low, high] = std::minmax(spoke, other);
+    MESHER_PRECONDITION(low + 1 == high || (low == 0 && high + 1 == angles.size()));
+    return low + 1 == high ? low : high;
 }
 
 SmallAngles2d protectSmallAngles(const PlanarDomain& domain, Boundary& boundary)

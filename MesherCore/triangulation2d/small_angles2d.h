@@ -20,10 +20,12 @@ struct InputAngle
 struct SmallAngleComplex
 {
     BoundaryVertexId apex;
-    std::vector<InputAngle> angles;
-    int firstShell = 0;  ///< exponent of the shell that protects it
+    std::vector<InputAngle> angles;  ///< angle i lies between spokes i and i + 1; the last may close the turn
+    int firstShell = 0;              ///< exponent of the shell that protects it
 
     [[nodiscard]] double smallestAngle() const;
+    /// Which angle lies between two neighbouring spokes, in either order.
+    [[nodiscard]] std::uint32_t angleBetween(std::uint32_t spoke, std::uint32_t other) const;
 };
 
 struct SmallAngles2d

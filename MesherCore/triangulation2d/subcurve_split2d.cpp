@@ -45,6 +45,7 @@ SubcurveSplit2d SubcurveSplitter2d::split(SubcurveId s)
     const EdgeLink edge = t_.mesh().findEdge(from, to);
     if (const EdgeLink blocker = findBlocker(edge, point); blocker.isValid()) {
         ++counters_.blocked;
+        if (!t_.isMeshed(blocker.triangle())) ++counters_.blockedAcrossUnmeshed;
         result.outcome = SplitOutcome2d::Blocked;
         result.blocker = t_.subcurveOf(blocker);
         return result;
@@ -164,7 +165,9 @@ VertexId SubcurveSplitter2d::insertPoint(Vec2 point, TriangleId hint)
     if (location.kind == Location2d::Kind::OnVertex) return {};
     if (location.kind == Location2d::Kind::OnEdge && t_.mesh().isConstrained(location.edge)) return {};
     t_.delaunay.findCavity(point, location, cavity_);
-    if (cavity_.triangles.size() == 1) ++counters_.outsideCircles;
+    const bool isOutside = std::none_of(cavity_.triangles.begin(), cavity_.triangles.end(),
+                                        [&](TriangleId t) { return t_.isMeshed(t); });
+    if (isOutside) ++counters_.outsideCircles;
     return t_.delaunay.commit(cavity_);
 }
 

@@ -27,6 +27,8 @@ struct SubcurveSplitCounters2d
     std::size_t splits = 0;
     std::size_t removedVertices = 0;
     std::size_t blocked = 0;
+    /// Those where an unmeshed region lies between, as in Fig. 2.12.
+    std::size_t blockedAcrossUnmeshed = 0;
     /// New vertices outside of all circles of the meshed side, as in Fig. 2.11.
     std::size_t outsideCircles = 0;
     /// New edges that had to be recovered by flips, and regions flooded anew for it.

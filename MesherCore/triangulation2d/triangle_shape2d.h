@@ -2,7 +2,7 @@
 
 #include "base/vec.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace mesher {
 
@@ -30,6 +30,15 @@ struct TriangleShape2d
         return shape;
     }
 };
+
+/// Whether one of a triangle's angles is wider than the obtuse one with this cosine.
+[[nodiscard]] inline bool hasAngleWiderThan(double cosine, Vec2 a, Vec2 b, Vec2 c)
+{
+    const auto isWide = [cosine](Vec2 u, Vec2 v) {
+        return dot(u, v) < cosine * std::sqrt(squaredLength(u) * squaredLength(v));
+    };
+    return isWide(b - a, c - a) || isWide(c - b, a - b) || isWide(a - c, b - c);
+}
 
 /// The centre of the circle through three points; inexact, and far away or not finite for collinear ones.
 [[nodiscard]] inline Vec2 circumcenter(Vec2 a, Vec2 b, Vec2 c)

@@ -189,16 +189,17 @@ PlanarCurveComplex overlappingHulls()
 {
     PlanarBuilder builder;
     addRectangle(builder, {-2.0, -1.0}, {2.0, 2.5});
-    // Two concentric quarter arcs, the inner one turned, so that splitting the outer edge first would cross the inner.
-    const auto addArc = [&](double radius, double from, double turn) {
+    // Two concentric arcs, the outer one shorter, so that no end lies in the diametral circle of the other's edge: enrichment
+    // leaves both alone. The middle of the inner arc, which is split first, lies beyond the outer one's edge.
+    const auto addArc = [&](double radius, double halfTurn) {
+        const double start = 0.5 * kPi - halfTurn;
         const auto at = [&](double angle) { return radius * Vec2{std::cos(angle), std::sin(angle)}; };
-        const PccPointId a = builder.point(at(from));
-        const PccPointId b = builder.point(at(from + turn));
-        builder.arc(a, b, {0.0, 0.0}, turn, {1, 1});
+        const PccPointId a = builder.point(at(start));
+        const PccPointId b = builder.point(at(start + 2.0 * halfTurn));
+        builder.arc(a, b, {0.0, 0.0}, 2.0 * halfTurn, {1, 1});
     };
-    addArc(1.0, 0.25 * kPi, 0.5 * kPi);
-    addArc(1.02, 0.45 * kPi, 0.5 * kPi);
-    addArc(0.97, 0.1 * kPi, 0.45 * kPi);
+    addArc(1.0, 45.0 * kPi / 180.0);
+    addArc(1.03, 43.35 * kPi / 180.0);
     return builder.build();
 }
 
@@ -207,11 +208,13 @@ PlanarCurveComplex bulgeOutsideOfCircles()
     PlanarBuilder builder;
     const PccPointId a = builder.point({-1.0, 0.0});
     const PccPointId b = builder.point({1.0, 0.0});
-    const PccPointId c = builder.point({0.0, 3.0});
-    // A quarter arc below a tall triangle.
+    const PccPointId c = builder.point({1.0, 4.0});
+    const PccPointId d = builder.point({-1.0, 4.0});
+    // A quarter arc, split first, below a tall rectangle, whose circle reaches less far down.
     builder.arc(a, b, {0.0, 1.0}, 0.5 * kPi);
     builder.line(b, c);
-    builder.line(c, a);
+    builder.line(c, d);
+    builder.line(d, a);
     return builder.build();
 }
 
@@ -229,11 +232,12 @@ PlanarCurveComplex thinHoleBetweenArcs()
     const PccPointId b = builder.point(at(1.0, start + turn));
     const PccPointId c = builder.point(at(1.03, start + turn));
     const PccPointId d = builder.point(at(1.03, start));
-    // Counter-clockwise around the hole: the outer arc forward, the inner one back.
-    builder.arc(d, c, centre, turn, kHole);
-    builder.line(c, b, kHole);
+    // Counter-clockwise around the hole, the inner arc first: it is then split first, and its middle lies beyond the outer
+    // arc's edge.
     builder.arc(b, a, centre, -turn, kHole);
     builder.line(a, d, kHole);
+    builder.arc(d, c, centre, turn, kHole);
+    builder.line(c, b, kHole);
     return builder.build();
 }
 

@@ -66,7 +66,7 @@ TEST(LineRaster, FillsATriangleOfEitherTurn)
 
 TEST(DrawMesh, GivesEachFaceItsColour)
 {
-    const Result<Image> image = drawMesh(test::twoFaceMesh(2), {400, 1.0, 2.0});
+    const Result<Image> image = drawMesh(test::twoFaceMesh(2), {400, 1.0, 2.0, {}});
     ASSERT_TRUE(image);
     EXPECT_EQ(image.value().width, 400u);
     EXPECT_NEAR(static_cast<double>(image.value().height), 224.0, 1.0);
@@ -79,11 +79,32 @@ TEST(DrawMesh, GivesEachFaceItsColour)
     EXPECT_EQ(image.value().at(5, 5), kWhite);
 }
 
+TEST(DrawMesh, DrawsTheWindowAskedFor)
+{
+    const ClassifiedMesh mesh = test::twoFaceMesh(2);
+    Box2 all;
+    for (const MeshNode& node : mesh.nodes) all.include({node.position.x, node.position.y});
+    DrawingOptions options;
+    options.width = 400;
+    const Result<Image> whole = drawMesh(mesh, options);
+    options.window = all;
+    EXPECT_EQ(drawMesh(mesh, options).value().pixels, whole.value().pixels);
+    // Of the left half alone the picture is twice as high,.
+    options.window->high.x = 0.5 * (all.low.x + all.high.x);
+    const Result<Image> left = drawMesh(mesh, options);
+    ASSERT_TRUE(left);
+    EXPECT_EQ(left.value().width, 400u);
+    EXPECT_NEAR(static_cast<double>(left.value().height) - 48.0,
+                2.0 * (static_cast<double>(whole.value().height) - 48.0), 2.0);
+    options.window->high.x = options.window->low.x;
+    EXPECT_FALSE(drawMesh(mesh, options));
+}
+
 TEST(DrawMesh, RefusesWhatCannotBeDrawn)
 {
     EXPECT_FALSE(drawMesh({}));
-    EXPECT_FALSE(drawMesh(test::twoFaceMesh(), {10, 1.0, 1.0}));
-    EXPECT_FALSE(drawMesh(test::twoFaceMesh(), {1u << 20, 1.0, 1.0}));
+    EXPECT_FALSE(drawMesh(test::twoFaceMesh(), {10, 1.0, 1.0, {}}));
+    EXPECT_FALSE(drawMesh(test::twoFaceMesh(), {1u << 20, 1.0, 1.0, {}}));
 }
 
 TEST(DrawMesh, WritesAFileOfThePngFormat)

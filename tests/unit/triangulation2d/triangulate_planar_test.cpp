@@ -7,11 +7,13 @@
 #include "support/planar_builder.h"
 #include "support/planar_examples.h"
 #include "triangulation2d/planar_check.h"
+#include "triangulation2d/small_angle_report2d.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace mesher {
 namespace {
@@ -177,15 +179,72 @@ TEST(TriangulatePlanar, endsWhenItIsCancelled)
     EXPECT_LT(result->counts.triangles, 50000u);
 }
 
+/// Degrees between the directions from a place to the ends of a triangle's shortest edge.
+double shortestEdgeSeenFrom(Vec2 place, const PlanarResult& result, TriangleId t)
+{
+    const Triangulation2d& mesh = result.triangulation.mesh();
+    double shortest = std::numeric_limits<double>::infinity();
+    double angle = 0.0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const Vec2 a = mesh.position(mesh.triangle(t).v[k]);
+        const Vec2 b = mesh.position(mesh.triangle(t).v[nextCorner(k)]);
+        if (length(b - a) >= shortest) continue;
+        shortest = length(b - a);
+        angle = std::abs(std::atan2(cross(a - place, b - place), dot(a - place, b - place)));
+    }
+    return angle * 180.0 / std::numbers::pi;
+}
+
 TEST(TriangulatePlanar, listsTheTrianglesLeftBesideSmallAngles)
 {
     const PlanarResult result = meshOf(test::smallAngleFan());
     ASSERT_FALSE(result.refinement.left.empty());
+    std::set<double> listed;
     for (const LeftTriangle2d& left : result.refinement.left) {
         ASSERT_EQ(left.reason, LeftReason2d::SmallInputAngle);
         EXPECT_LT(left.smallestAngle, 30.0);
         EXPECT_LT(left.largestAngle, 137.0);
-        EXPECT_LT(result.triangulation.smallAngles.complexes[left.smallAngle].smallestAngle(), 1.0);
+        const SmallAngleComplex& complex = result.triangulation.smallAngles.complexes[left.smallAngle];
+        const double degrees = complex.angles[left.inputAngle].degrees;
+        listed.insert(std::round(degrees * 10.0) / 10.0);
+        // The curves bend a little, so that what is seen from the apex is not quite the angle at it.
+        EXPECT_NEAR(degrees, shortestEdgeSeenFrom({0.0, 0.0}, result, left.triangle), 0.15);
+    }
+    EXPECT_EQ(listed, (std::set<double>{0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0, 45.0}));
+    std::size_t reported = 0;
+    for (const TrianglesBesideAngle2d& beside : trianglesBesideSmallAngles(result)) {
+        EXPECT_EQ(listed.erase(std::round(beside.angle.degrees * 10.0) / 10.0), 1u);
+        EXPECT_LT(beside.largestAngle, 137.0);
+        EXPECT_EQ(beside.apex, (Vec2{0.0, 0.0}));
+        reported += beside.triangles;
+    }
+    EXPECT_TRUE(listed.empty());
+    EXPECT_EQ(reported, result.refinement.left.size());
+}
+
+/// A square with two holes, circles that touch each other from outside.
+PlanarCurveComplex touchingHoles(double first, double second, double turn)
+{
+    PlanarBuilder builder;
+    const Vec2 corners[] = {{-0.75, -0.75}, {0.75, -0.75}, {0.75, 0.75}, {-0.75, 0.75}};
+    builder.polygon(corners);
+    const PccPointId p = builder.point({0.0, 0.0});
+    const Vec2 direction{std::cos(turn), std::sin(turn)};
+    builder.arc(p, p, first * direction, 2.0 * std::numbers::pi, {0, 1});
+    builder.arc(p, p, -second * direction, 2.0 * std::numbers::pi, {0, 1});
+    return builder.build();
+}
+
+/// Beside a cusp the triangles left alone lie between chords that are no mirror images, and could be wider than between lines.
+TEST(TriangulatePlanar, leavesNoWideTriangleBesideACusp)
+{
+    PlanarOptions options;
+    options.refinement.sizing.usesLocalFeatureSize = false;
+    for (const double radius : {0.18, 0.15, 0.12, 0.0892, 0.07, 0.0396, 0.02}) {
+        const PlanarCurveComplex complex = touchingHoles(0.2, radius, 2.0);
+        const PlanarResult result = meshOf(complex, options);
+        EXPECT_LE(checkPlanar(complex, result, options).angles.largest, 137.0) << radius;
+        EXPECT_LT(result.counts.triangles, 1000u) << radius;
     }
 }
 
