@@ -87,6 +87,7 @@ public:
         for (std::uint32_t v = 0; v < model_.vertices.size(); ++v) {
             nodes_.push_back({model_.vertices[BrepVertexId(v)].position, {0, v}, {}});
         }
+        measureFloors();
         for (std::uint32_t e = 0; e < model_.edges.size(); ++e) {
             if (auto sampled = sampleEdge(BrepEdgeId(e)); !sampled) return sampled.error();
         }
@@ -96,10 +97,39 @@ public:
     }
 
 private:
+    /// From the gaps there are; tolerances that CAD programs write are at times larger than the edge.
+    void measureFloors()
+    {
+        constexpr double kLeastGap = 1e-7;
+        IdVector<BrepEdgeId, double> gaps(model_.edges.size(), 0.0);
+        for (const BrepFace& face : model_.faces) {
+            for (const BrepLoop& loop : face.loops) {
+                for (const BrepCoedge& coedge : loop.coedges)
+                    gaps[coedge.edge] = std::max(gaps[coedge.edge], coedge.gap);
+            }
+        }
+        chains_.vertexFloors_.resize(model_.vertices.size(), 0.0);
+        for (std::uint32_t e = 0; e < model_.edges.size(); ++e) {
+            const BrepEdge& edge = model_.edges[BrepEdgeId(e)];
+            const double gap = std::min(edge.tolerance, std::max(gaps[BrepEdgeId(e)], kLeastGap));
+            chains_.floors_.push_back(options_.floorInTolerances * gap);
+            if (edge.isDegenerate) continue;
+            includeEnd(edge, edge.part.first, edge.first);
+            includeEnd(edge, edge.part.last, edge.last);
+        }
+    }
+
+    void includeEnd(const BrepEdge& edge, double t, BrepVertexId id)
+    {
+        const BrepVertex& vertex = model_.vertices[id];
+        const double gap = std::min(vertex.tolerance, length(edge.curve->position(t) - vertex.position));
+        double& least = chains_.vertexFloors_[id];
+        least = std::max(least, options_.floorInTolerances * gap);
+    }
+
     Result<void> sampleEdge(BrepEdgeId id)
     {
         const BrepEdge& edge = model_.edges[id];
-        chains_.floors_.push_back(options_.floorInTolerances * edge.tolerance);
         chains_.firstOf_.push_back(SegmentId());
         if (edge.isDegenerate) {
             chains_.variations_.push_back(std::nullopt);

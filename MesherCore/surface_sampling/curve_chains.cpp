@@ -23,13 +23,23 @@ std::optional<SegmentPlace> CurveChains::splitPlace(SegmentId s) const
     return equalVariationPlace(s);
 }
 
+double CurveChains::floorOf(SegmentId s) const
+{
+    double least = floors_[segments_[s].edge];
+    for (const NodeId node : segments_[s].node) {
+        if (node.value < vertexFloors_.size())
+            least = std::max(least, vertexFloors_[BrepVertexId(node.value)]);
+    }
+    return least;
+}
+
 std::optional<SegmentPlace> CurveChains::placeAt(SegmentId s, double t) const
 {
     const SurfaceSegment& segment = segments_[s];
     const TangentVariation& table = *variations_[segment.edge];
     const auto [t0, t1] = segment.parameter;
     if (!(t0 < t && t < t1)) return std::nullopt;
-    if (std::min(table.arcLength(t0, t), table.arcLength(t, t1)) < floors_[segment.edge]) return std::nullopt;
+    if (std::min(table.arcLength(t0, t), table.arcLength(t, t1)) < floorOf(s)) return std::nullopt;
     const Vec3 position = table.curve().position(t);
     if (position == table.curve().position(t0) || position == table.curve().position(t1)) return std::nullopt;
     return SegmentPlace{t, position, {}, 0.0};

@@ -28,7 +28,8 @@ struct CurveChainOptions
     double maxSag = 0.0;
     /// Wanted lengths; null for no wish.
     const SizingField* sizes = nullptr;
-    /// Segments are not made shorter than this many times the tolerance of their edge and its vertices.
+    /// Segments are not made shorter than this many times the gap between their edge, its faces and the vertex they end in:
+    /// the tolerance there, or what was measured if that is less. Below it positions mean nothing.
     double floorInTolerances = 10.0;
     /// Beyond that many segments sampling ends with an Error that names the edge.
     std::size_t maxSegments = 50'000'000;
@@ -97,8 +98,8 @@ public:
     SegmentSplit split(SegmentId s, const SegmentPlace& place, IdVector<NodeId, MeshNode>& nodes);
     /// Both in one; nothing if there is no place.
     std::optional<SegmentSplit> split(SegmentId s, IdVector<NodeId, MeshNode>& nodes);
-    /// The least length of a segment of this edge.
-    [[nodiscard]] double floorOf(BrepEdgeId edge) const { return floors_[edge]; }
+    /// The least length of a part of this segment.
+    [[nodiscard]] double floorOf(SegmentId s) const;
     ///@}
 
     /// \name Small angles
@@ -146,6 +147,7 @@ private:
     IdVector<BrepEdgeId, SegmentId> firstOf_;
     IdVector<BrepEdgeId, std::optional<TangentVariation>> variations_;
     IdVector<BrepEdgeId, double> floors_;
+    IdVector<BrepVertexId, double> vertexFloors_;
     IdVector<AngleComplexId, SmallAngleAtVertex> smallAngles_;
     IdVector<NodeId, Shell> shells_;  ///< by node; shorter than the nodes, later ones are on no shell
     std::size_t aliveCount_ = 0;

@@ -13,8 +13,9 @@ namespace mesher {
 
 namespace {
 
-// Poles are cut into pieces of about this share of the outline's size.
+// Poles are cut into pieces of no more than this share of the outline's size, or this turn around them (30 degrees).
 constexpr double kPolePiece = 0.125;
+constexpr double kPoleTurn = 0.5236;
 // Ends of parameter curves that are one but for rounding, relative to the outline's size.
 constexpr double kRoundingShare = 1e-9;
 
@@ -77,6 +78,7 @@ public:
         for (const BrepLoop& loop : face_.loops) loops.push_back(strandsOf(loop));
         measure(loops);
         for (std::uint32_t i = 0; i < loops.size(); ++i) {
+            if (auto sound = checkPoles(i, loops[i]); !sound) return sound.error();
             if (auto added = addLoop(i, loops[i]); !added) return added.error();
         }
         for (const BrepEdgeId edge : face_.embeddedEdges) addEmbedded(edge);
@@ -106,7 +108,7 @@ private:
         const std::vector<SegmentId> chain = chains_.chainOf(coedge.edge);
         const auto add = [&](NodeId node, double t) {
             strand.nodes.push_back(node);
-            strand.uv.push_back(coedge.parameterCurve->position(t));
+            strand.uv.push_back(parametersAt(coedge, node, t));
         };
         add(chains_.segments()[chain.front()].node[0], chains_.segments()[chain.front()].parameter[0]);
         for (const SegmentId s : chain) {
@@ -123,6 +125,19 @@ private:
             std::reverse(strand.middles.begin(), strand.middles.end());
         }
         return strand;
+    }
+
+    /// By the parameter curve, or the closest point of the surface where that runs beside the edge.
+    [[nodiscard]] Vec2 parametersAt(const BrepCoedge& coedge, NodeId node, double t) const
+    {
+        constexpr double kExact = 1e-7;
+        const Vec2 uv = coedge.parameterCurve->position(t);
+        if (nodes_[node].entity.dimension != 1) return uv;
+        const Vec3& position = nodes_[node].position;
+        const double gap = length(face_.surface->position(uv) - position);
+        if (!(gap > kExact)) return uv;
+        const SurfaceProjection closest = face_.surface->project(position, uv);
+        return closest.distance < 0.5 * gap ? closest.parameters : uv;
     }
 
     Strand poleAlong(const BrepCoedge& coedge) const
@@ -166,6 +181,18 @@ private:
         if (entity.dimension == 1)
             closeness = std::max(closeness, 2.0 * model_.edges[BrepEdgeId(entity.index)].tolerance);
         return std::max(closeness, kRoundingShare * outline_.size);
+    }
+
+    /// Files mark edges as poles that are none.
+    [[nodiscard]] Result<void> checkPoles(std::uint32_t loop, const std::vector<Strand>& strands) const
+    {
+        constexpr double kReach = 0.05;
+        for (const Strand& strand : strands) {
+            const double gap = face_.loops[loop].coedges[strand.coedge].gap;
+            if (strand.isPole && gap > kReach * outline_.size)
+                return failure(strand, "an edge is marked as a pole and has an extent", "heal the shape");
+        }
+        return {};
     }
 
     static double shiftOf(double difference, double period)
@@ -263,13 +290,35 @@ private:
             for (std::size_t i = 0; i < last; ++i) {
                 const std::uint32_t to =
                     addPoint(strand.nodes[i + 1], strand.uv[i + 1], closenessOf(strand, i));
-                OutlinePiece piece{from, to,   strand.segments[i], loop, strand.coedge, strand.shift,
-                                   0.0,  false};
+                OutlinePiece piece = pieceBetween(from, to, loop, strand);
+                piece.segment = strand.segments[i];
                 piece.bulge = bulgeOf(strand, i);
+                piece.sag = sagOf(strand.segments[i]);
                 outline_.pieces.push_back(piece);
                 from = to;
             }
         }
+    }
+
+    static OutlinePiece pieceBetween(std::uint32_t from, std::uint32_t to, std::uint32_t loop,
+                                     const Strand& strand)
+    {
+        OutlinePiece piece;
+        piece.from = from;
+        piece.to = to;
+        piece.loop = loop;
+        piece.coedge = strand.coedge;
+        piece.shift = strand.shift;
+        return piece;
+    }
+
+    [[nodiscard]] Vec3 sagOf(SegmentId s) const
+    {
+        const SurfaceSegment& segment = chains_.segments()[s];
+        const Curve& curve = *model_.edges[segment.edge].curve;
+        if (curve.kind() == CurveKind::Line) return {};
+        const Vec3 middle = 0.5 * (nodes_[segment.node[0]].position + nodes_[segment.node[1]].position);
+        return curve.position(0.5 * (segment.parameter[0] + segment.parameter[1])) - middle;
     }
 
     [[nodiscard]] double bulgeOf(const Strand& strand, std::size_t i) const
@@ -298,15 +347,33 @@ private:
         const bool isAlongU =
             std::abs(direction.x) * face_.boundsV.length() >= std::abs(direction.y) * face_.boundsU.length();
         std::uint32_t from = 0;
-        for (int i = 0; i <= pieces; ++i) {
-            const Vec2 uv = i == pieces ? b : a + (static_cast<double>(i) / pieces) * direction;
+        for (double i = 0.0; i <= pieces; ++i) {
+            const Vec2 uv = i == pieces ? b : a + (i / pieces) * direction;
             const std::uint32_t to = addPoint(strand.nodes.front(), uv, kRoundingShare * outline_.size);
             outline_.points[to].isPole = true;
             outline_.points[to].isPoleAlongU = isAlongU;
-            if (i > 0)
-                outline_.pieces.push_back({from, to, {}, loop, strand.coedge, strand.shift, 0.0, false});
+            if (i > 0) outline_.pieces.push_back(pieceBetween(from, to, loop, strand));
             from = to;
         }
+    }
+
+    /// By how much lines beside the pole turn around it, radians.
+    [[nodiscard]] double turningAlongPole(Vec2 a, Vec2 b, bool isAlongU) const
+    {
+        constexpr int kSteps = 24;
+        constexpr double kBeside = 1e-3;
+        double turning = 0.0;
+        Vec3 previous;
+        for (int i = 0; i <= kSteps; ++i) {
+            Vec2 uv = a + (static_cast<double>(i) / kSteps) * (b - a);
+            double& across = isAlongU ? uv.y : uv.x;
+            across += kBeside * ((isAlongU ? face_.boundsV : face_.boundsU).at(0.5) - across);
+            const SurfacePoint p = face_.surface->evaluate(uv);
+            const Vec3 direction = isAlongU ? p.du : p.dv;
+            if (i > 0) turning += std::atan2(length(cross(previous, direction)), dot(previous, direction));
+            previous = direction;
+        }
+        return turning;
     }
 
     std::uint32_t addPoint(NodeId node, Vec2 uv, double closeness)

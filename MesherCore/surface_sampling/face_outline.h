@@ -47,6 +47,7 @@ struct OutlinePiece
     std::uint32_t coedge = 0;
     Vec2 shift;
     double bulge = 0.0;  ///< how far the parameter curve's middle lies to the left of the piece, in the plane
+    Vec3 sag;            ///< from the middle of the segment to that of its curve, in space
     bool isEmbedded = false;  ///< the face lies on both sides
 };
 

@@ -10,8 +10,16 @@ namespace mesher {
 /// the face, or on a vertex or piece of the outline.
 std::optional<VertexId> insertFacePoint(const BrepFace& face, Vec2 uv, TriangleId hint, FaceTriangulation& t);
 
-/// The parameters in the middle of a side.
+/// Inserts a further image of a pole on the pole's line, level with `other`, so that they can be joined by a straight side.
+/// Nothing is inserted if there is one, or if rounding puts it off the line.
+std::optional<VertexId> insertPoleImage(VertexId pole, const FacePoint& other, TriangleId hint,
+                                        FaceTriangulation& t);
+
+/// The parameters in the middle of a side in the plane.
 [[nodiscard]] Vec2 middleOf(const FacePoint& a, const FacePoint& b);
+
+/// The parameters beneath the middle of a lifted side, which differ from those in the plane beside a pole.
+[[nodiscard]] Vec2 liftedMiddleOf(const FacePoint& a, const FacePoint& b);
 
 /// The pole's parameters beside other points: the coordinate that means nothing there is theirs.
 [[nodiscard]] Vec2 parametersBeside(const FacePoint& pole, Vec2 others);

@@ -45,13 +45,13 @@ public:
 
     FaceRefinement run()
     {
-        for (const Vec2 seed : seedsOf(face_)) {
-            if (insertFacePoint(face_, seed, hint_, t_)) ++result_.seeds;
-        }
+        // What is wrong with the chains comes first: points inside of the face cannot mend it.
         for (std::uint32_t i = 0; i < t_.mesh().triangleSlots(); ++i) enqueue(TriangleId(i));
-        while (!queue_.empty()) {
-            const QueuedTriangle entry = queue_.back();
-            queue_.pop_back();
+        const std::size_t count = queue_.size();
+        while (next_ < count) improve(queue_[next_++].triangle);
+        phase_ = t_.tooCoarse.empty() ? Phase::Points : Phase::Named;
+        while (next_ < queue_.size()) {
+            const QueuedTriangle entry = queue_[next_++];
             const Triangle2d& triangle = t_.mesh().triangle(entry.triangle);
             if (!t_.mesh().isAlive(entry.triangle) || triangle.generation != entry.generation) continue;
             if (result_.insertions >= options_.maxPointsPerFace) {
@@ -62,10 +62,24 @@ public:
         }
         std::sort(t_.tooCoarse.begin(), t_.tooCoarse.end());
         t_.tooCoarse.erase(std::unique(t_.tooCoarse.begin(), t_.tooCoarse.end()), t_.tooCoarse.end());
+        if (!t_.tooCoarse.empty()) result_.isComplete = true;
         return result_;
     }
 
 private:
+    enum class Phase
+    {
+        Chains,  ///< segments are named, what takes points is left for later
+        Points,
+        Named  ///< segments were named after points had been inserted: the face is begun anew with finer chains
+    };
+
+    /// A triangle that takes points has to wait until the chains are well.
+    void postpone(TriangleId t)
+    {
+        if (phase_ == Phase::Chains) enqueue(t);
+    }
+
     void enqueue(TriangleId t)
     {
         if (t_.mesh().isAlive(t) && t_.isInside(t)) queue_.push_back({t, t_.mesh().triangle(t).generation});
@@ -98,7 +112,7 @@ private:
         };
         for (unsigned i = 0; i < 3; ++i) {
             const FacePoint &a = *p[nextCorner(i)], &b = *p[previousCorner(i)];
-            const Vec3 middle = normalAt(middleOf(a, b));
+            const Vec3 middle = normalAt(liftedMiddleOf(a, b));
             isSideBad = isSideBad || departs(p[i]->normal) || departs(middle);
             if (middle == Vec3{}) continue;
             if (a.normal != Vec3{}) departure.turn[i] += 1.0 - dot(a.normal, middle);
@@ -121,19 +135,36 @@ private:
     void improve(TriangleId t)
     {
         if (vanishes(t)) return;
+        if (nameNarrowSide(t)) return;
         const Departure departure = departureOf(t);
         if (!departure.isBad) return;
+        const bool isAtPole = corner(t, 0).isPole || corner(t, 1).isPole || corner(t, 2).isPole;
+        if (phase_ != Phase::Points && (isAtPole || departure.isInside)) return postpone(t);
+        if (levelPole(t)) {
+            // It may not be one of the triangles that the new image changed.
+            enqueue(t);
+            return;
+        }
         if (departure.isInside && insertAt(centreOf(t), t)) return;
         std::array<unsigned, 3> sides{0, 1, 2};
         const double most = *std::max_element(departure.turn.begin(), departure.turn.end());
         std::stable_sort(sides.begin(), sides.end(), [&](unsigned a, unsigned b) {
-            return most > kSlightTurn ? departure.turn[a] > departure.turn[b]
-                                      : sideLength(t, a) > sideLength(t, b);
+            // Along a meridian of a pole there is nothing to be gained by further points of the meridian.
+            if (endsInPole(t, a) != endsInPole(t, b)) return endsInPole(t, a);
+            return most > kSlightTurn && !endsInPole(t, a) ? departure.turn[a] > departure.turn[b]
+                                                           : sideLength(t, a) > sideLength(t, b);
         });
         for (const unsigned side : sides) {
+            const bool isPiece = t_.mesh().isConstrained(EdgeLink(t, side));
+            if (!isPiece && phase_ != Phase::Points) return postpone(t);
             if (splitSide(EdgeLink(t, side))) return;
         }
         ++result_.givenUp;
+    }
+
+    [[nodiscard]] bool endsInPole(TriangleId t, unsigned i) const
+    {
+        return corner(t, nextCorner(i)).isPole || corner(t, previousCorner(i)).isPole;
     }
 
     [[nodiscard]] double sideLength(TriangleId t, unsigned i) const
@@ -148,20 +179,70 @@ private:
         const VertexId a = t_.mesh().edgeFrom(side), b = t_.mesh().edgeTo(side);
         if (!t_.mesh().isConstrained(side))
             return insertAt(middleOf(t_.points[a], t_.points[b]), side.triangle());
-        const std::uint32_t* piece = t_.pieceOf.find(unorderedPair(a, b));
-        if (piece == nullptr || !outline_.pieces[*piece].segment.isValid()) return false;
-        const SegmentId segment = outline_.pieces[*piece].segment;
+        const OutlinePiece* piece = pieceAt(side);
+        return piece != nullptr && name(piece->segment);
+    }
+
+    /// The piece of a segment, none along a pole.
+    [[nodiscard]] const OutlinePiece* pieceAt(EdgeLink side) const
+    {
+        const auto ends = unorderedPair(t_.mesh().edgeFrom(side), t_.mesh().edgeTo(side));
+        const std::uint32_t* piece = t_.pieceOf.find(ends);
+        return piece == nullptr || !outline_.pieces[*piece].segment.isValid() ? nullptr : &outline_.pieces[*piece];
+    }
+
+    /// Points nearer to a curve than its segment is would make facets that lie across the surface, and ever more of them.
+    bool nameNarrowSide(TriangleId t)
+    {
+        for (unsigned k = 0; k < 3; ++k) {
+            const EdgeLink side(t, k);
+            if (!t_.mesh().isConstrained(side)) continue;
+            const OutlinePiece* piece = pieceAt(side);
+            if (piece == nullptr) continue;
+            const Vec3& a = corner(t, nextCorner(k)).position;
+            const Vec3& b = corner(t, previousCorner(k)).position;
+            if (FaceTriangulation::isNarrowBeside(*piece, a, b, corner(t, k).position) && name(piece->segment))
+                return true;
+        }
+        return false;
+    }
+
+    bool name(SegmentId segment)
+    {
         if (!chains_.splitPlace(segment)) return false;
         t_.tooCoarse.push_back(segment);
+        if (phase_ == Phase::Points) phase_ = Phase::Named;
         return true;
+    }
+
+    /// A triangle at a pole is lifted to what lies between its other corners, not to what it covers in the plane: brings an
+    /// image of the pole level with one of them.
+    bool levelPole(TriangleId t)
+    {
+        for (unsigned i = 0; i < 3; ++i) {
+            if (!corner(t, i).isPole) continue;
+            const VertexId pole = t_.mesh().triangle(t).v[i];
+            for (const unsigned k : {nextCorner(i), previousCorner(i)}) {
+                const FacePoint other = corner(t, k);
+                if (other.isPole) continue;
+                const auto vertex = insertPoleImage(pole, other, t, t_);
+                if (vertex) return enqueueAround(*vertex);
+            }
+        }
+        return false;
     }
 
     bool insertAt(Vec2 uv, TriangleId hint)
     {
         const auto vertex = insertFacePoint(face_, uv, hint, t_);
         if (!vertex) return false;
+        return enqueueAround(*vertex);
+    }
+
+    bool enqueueAround(VertexId vertex)
+    {
         ++result_.insertions;
-        t_.mesh().forEachTriangleAround(*vertex, [&](EdgeLink link) {
+        t_.mesh().forEachTriangleAround(vertex, [&](EdgeLink link) {
             enqueue(link.triangle());
             return true;
         });
@@ -175,17 +256,26 @@ private:
     FaceTriangulation& t_;
     double cosine_ = 0.5;
     double floor_ = 0.0;
-    TriangleId hint_;
-    std::vector<QueuedTriangle> queue_;
+    std::vector<QueuedTriangle> queue_;  ///< first in, first out
+    std::size_t next_ = 0;
+    Phase phase_ = Phase::Chains;
     FaceRefinement result_;
 };
 
 }  // namespace
 
+std::size_t seedFace(const BrepFace& face, FaceTriangulation& t)
+{
+    std::size_t inserted = 0;
+    for (const Vec2 seed : seedsOf(face)) {
+        if (insertFacePoint(face, seed, TriangleId(), t)) ++inserted;
+    }
+    return inserted;
+}
+
 FaceRefinement followSurface(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
                              const InitialFaceMeshOptions& options, FaceTriangulation& t)
 {
-    if (face.surface->kind() == SurfaceKind::Plane) return {};
     return Follower(face, outline, chains, options, t).run();
 }
 

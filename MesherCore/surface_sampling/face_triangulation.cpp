@@ -21,6 +21,23 @@ Vec3 FaceTriangulation::unitNormal(const SurfacePoint& point)
 
 namespace {
 
+// The least width of a face beside a curved piece, in sags of the piece; a third of the area there is missing then.
+constexpr double kSagFactor = 2.0;
+
+}  // namespace
+
+bool FaceTriangulation::isNarrowBeside(const OutlinePiece& piece, const Vec3& a, const Vec3& b, const Vec3& p)
+{
+    const Vec3 chord = b - a;
+    const double share = dot(p - a, chord) / squaredLength(chord);
+    if (!(share > 0.0 && share < 1.0)) return false;
+    const Vec3 sag = 4.0 * share * (1.0 - share) * piece.sag;
+    const Vec3 fromCurve = p - a - share * chord - sag;
+    return squaredLength(fromCurve) < kSagFactor * kSagFactor * squaredLength(sag);
+}
+
+namespace {
+
 constexpr int kUnknown = std::numeric_limits<int>::min();
 // A piece that bulges by less of the outline's size is straight.
 constexpr double kStraight = 1e-9;
@@ -238,18 +255,36 @@ private:
         return failure(somewhere, "its loops overlap", "repair the face's wires");
     }
 
-    /// A vertex between a piece and its parameter curve is on the wrong side of the piece.
+    /// A vertex between a piece and its parameter curve is on the wrong side of the piece; one that is not much farther away
+    /// sees a piece where the face has much more or less width.
     void findHiddenVertices()
     {
         const Triangulation2d& mesh = result_.mesh();
         for (const auto& [ends, index] : result_.pieceOf) {
             const OutlinePiece& piece = outline_.pieces[index];
-            if (!isCurved(piece)) continue;
+            if (!piece.segment.isValid()) continue;
             const EdgeLink left = mesh.findEdge(vertices_[piece.from], vertices_[piece.to]);
-            const EdgeLink side = piece.bulge > 0.0 ? left : mesh.across(left);
-            if (mesh.triangle(side.triangle()).isGhost()) continue;
-            if (isUnderBulge(piece, positionOf(mesh.apex(side)))) propose(index);
+            for (const EdgeLink side : {left, mesh.across(left)}) {
+                if (mesh.triangle(side.triangle()).isGhost()) continue;
+                const bool isBulgeSide = (side == left) == (piece.bulge > 0.0);
+                const VertexId apex = mesh.apex(side);
+                if (isBulgeSide && isUnderBulge(piece, positionOf(apex))) {
+                    propose(index);
+                } else if (result_.isInside(side.triangle()) && isNarrow(piece, apex) &&
+                           isSplittable(piece)) {
+                    result_.tooCoarse.push_back(piece.segment);
+                }
+            }
         }
+    }
+
+    [[nodiscard]] bool isNarrow(const OutlinePiece& piece, VertexId apex) const
+    {
+        const auto placeOf = [&](std::uint32_t point) {
+            return nodes_[outline_.points[point].node].position;
+        };
+        return FaceTriangulation::isNarrowBeside(piece, placeOf(piece.from), placeOf(piece.to),
+                                                 result_.points[apex].position);
     }
 
     [[nodiscard]] bool isUnderBulge(const OutlinePiece& piece, Vec2 p) const

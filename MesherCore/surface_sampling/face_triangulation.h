@@ -43,7 +43,11 @@ struct FaceTriangulation
     {
         return !mesh().triangle(t).isGhost() && mesh().triangle(t).region == kInside;
     }
-    /// Nothing where the parametrisation is singular.
+    /// Does the surface beside the piece, from a to b, up to a corner p have less width than the piece has sag, about? Facets
+    /// there would lie off the surface by as much as they are wide.
+    [[nodiscard]] static bool isNarrowBeside(const OutlinePiece& piece, const Vec3& a, const Vec3& b,
+                                             const Vec3& p);
+    /// Zero where the parametrisation is singular.
     [[nodiscard]] static Vec3 unitNormal(const SurfacePoint& point);
 };
 

@@ -108,12 +108,38 @@ private:
     InitialFaceMesh mesh_;
 };
 
-Error tooManyPoints(BrepFaceId face, const FaceTriangulation& t, std::size_t points)
+enum class ShapeOutcome
+{
+    Done,
+    TooManyPoints,
+    Inseparable
+};
+
+/// Refines by turns until the facets follow the surface and each of their sides is one of its own.
+ShapeOutcome shapeFace(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
+                       const InitialFaceMeshOptions& options,
+                       std::span<const std::pair<NodeId, NodeId>> taken, FaceTriangulation& t)
+{
+    constexpr int kMostTurns = 40;
+    if (!t.tooCoarse.empty()) return ShapeOutcome::Done;
+    const bool isCurved = face.surface->kind() != SurfaceKind::Plane;
+    if (isCurved) seedFace(face, t);
+    for (int turn = 0; turn < kMostTurns; ++turn) {
+        if (isCurved && !followSurface(face, outline, chains, options, t).isComplete)
+            return ShapeOutcome::TooManyPoints;
+        if (!t.tooCoarse.empty() || !separateSides(face, outline, taken, t)) return ShapeOutcome::Done;
+    }
+    return ShapeOutcome::Inseparable;
+}
+
+Error unshaped(BrepFaceId face, const FaceTriangulation& t, ShapeOutcome outcome)
 {
     Error error;
     error.code = ErrorCode::OutOfRange;
     error.entity = nameOf(face);
-    error.message = "its facets do not follow the surface with " + std::to_string(points) + " points";
+    error.message = outcome == ShapeOutcome::TooManyPoints
+                        ? "its facets do not follow the surface within the budget of points"
+                        : "its facets stay joined where the face is not";
     error.point = t.points[VertexId(0)].position;
     error.remedy = "smooth the surface or split the face";
     return error;
@@ -130,14 +156,13 @@ Result<InitialFaceMesh> triangulateFace(const BrepModel& model, BrepFaceId face,
     if (!outline) return outline.error();
     auto triangulation = triangulateOutline(model, face, chains, nodes, *outline);
     if (!triangulation) return triangulation.error();
-    InitialFaceMesh coarse;
-    if (triangulation->tooCoarse.empty()) {
-        const auto refined = followSurface(model.faces[face], *outline, chains, options, *triangulation);
-        if (!refined.isComplete) return tooManyPoints(face, *triangulation, options.maxPointsPerFace);
+    const auto shaped = shapeFace(model.faces[face], *outline, chains, options, taken, *triangulation);
+    if (shaped != ShapeOutcome::Done) return unshaped(face, *triangulation, shaped);
+    if (!triangulation->tooCoarse.empty()) {
+        InitialFaceMesh coarse;
+        coarse.tooCoarse = std::move(triangulation->tooCoarse);
+        return coarse;
     }
-    coarse.tooCoarse = std::move(triangulation->tooCoarse);
-    if (!coarse.tooCoarse.empty()) return coarse;
-    separateSides(model.faces[face], *outline, taken, *triangulation);
     return FaceLifter(face, *triangulation, firstInteriorNode).run(*outline);
 }
 

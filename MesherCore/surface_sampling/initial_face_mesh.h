@@ -17,9 +17,11 @@ namespace mesher {
 struct InitialFaceMeshOptions
 {
     /// Largest angle between a facet's normal and those of the surface beneath it, degrees.
-    double maxNormalDeviation = 60.0;
+    double maxNormalDeviation = 45.0;
     /// Interior points of a face before it is given up.
-    std::size_t maxPointsPerFace = 200'000;
+    std::size_t maxPointsPerFace = 50'000;
+    /// Rounds in which a face may name segments to be split before it is given up. A segment is halved in each at the most.
+    int maxSplitsInSeries = 24;
     /// Rounds in which segments are split and the faces beside them begun anew.
     int maxRounds = 60;
 };

@@ -19,6 +19,8 @@ public:
           options_(options),
           facesOf_(model.edges.size()),
           isStale_(model.faces.size(), std::uint8_t{1}),
+          isGivenUp_(model.faces.size(), std::uint8_t{0}),
+          namings_(model.faces.size(), 0),
           taken_(model.faces.size()),
           errors_(model.faces.size())
     {
@@ -37,7 +39,7 @@ public:
         for (; result_.rounds < options_.maxRounds; ++result_.rounds) {
             std::vector<SegmentId> proposals;
             for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
-                if (isStale_[BrepFaceId(f)] != 0) triangulate(BrepFaceId(f), proposals);
+                if (isStale_[BrepFaceId(f)] != 0 && isGivenUp_[BrepFaceId(f)] == 0) triangulate(BrepFaceId(f), proposals);
             }
             if (proposals.empty() && !findSharedEdges()) break;
             split(proposals);
@@ -60,8 +62,15 @@ private:
         }
         result_.faces[f] = std::move(*mesh);
         const auto& coarse = result_.faces[f].tooCoarse;
+        if (coarse.empty()) return;
+        if (++namings_[f] > options_.maxSplitsInSeries) {
+            // Further splits for its sake would only spoil its neighbours.
+            errors_[f] = chainsTooCoarse(model_, f, options_.maxSplitsInSeries);
+            isGivenUp_[f] = 1;
+            return;
+        }
         proposals.insert(proposals.end(), coarse.begin(), coarse.end());
-        if (!coarse.empty()) isStale_[f] = 1;
+        isStale_[f] = 1;
     }
 
     void split(std::vector<SegmentId>& proposals)
@@ -134,7 +143,7 @@ private:
         for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
             const BrepFaceId f(i);
             InitialFaceMesh& mesh = result_.faces[f];
-            if (!errors_[f] && (isStale_[f] != 0 || !mesh.tooCoarse.empty()))
+            if (!errors_[f] && isStale_[f] != 0)
                 errors_[f] = chainsTooCoarse(model_, f, options_.maxRounds);
             if (errors_[f]) {
                 result_.failures.emplace_back(f, *errors_[f]);
@@ -159,6 +168,8 @@ private:
     const InitialFaceMeshOptions& options_;
     IdVector<BrepEdgeId, std::vector<BrepFaceId>> facesOf_;
     IdVector<BrepFaceId, std::uint8_t> isStale_;
+    IdVector<BrepFaceId, std::uint8_t> isGivenUp_;
+    IdVector<BrepFaceId, int> namings_;  ///< rounds in which the face named segments
     IdVector<BrepFaceId, std::vector<std::pair<NodeId, NodeId>>> taken_;
     IdVector<BrepFaceId, std::optional<Error>> errors_;
     InitialSurfaceMesh result_;

@@ -97,14 +97,10 @@ private:
 
 }  // namespace
 
-void separateSides(const BrepFace& face, const FaceOutline& outline,
+bool separateSides(const BrepFace& face, const FaceOutline& outline,
                    std::span<const std::pair<NodeId, NodeId>> taken, FaceTriangulation& t)
 {
-    // A split makes new sides, each of which has an end of its own; two rounds are the rule.
-    constexpr int kMostRounds = 12;
-    SideSeparator separator(face, outline, taken, t);
-    for (int round = 0; round < kMostRounds && separator.splitOnce(); ++round) {
-    }
+    return SideSeparator(face, outline, taken, t).splitOnce();
 }
 
 }  // namespace mesher

@@ -202,10 +202,10 @@ private:
             }
             const Vec3 surfaceNormal = exact.normal();
             // Where the parametrisation ends in a point it tells no normal.
-            if (!(length(surfaceNormal) > 1e-9 * length(exact.du) * length(exact.dv)) ||
-                !(squaredLength(exact.du) > 1e-24 * squaredLength(exact.dv))) {
+            constexpr double kSingular = 1e-9;
+            const double u = length(exact.du), v = length(exact.dv);
+            if (!(length(surfaceNormal) > kSingular * u * v && std::min(u, v) > kSingular * std::max(u, v)))
                 continue;
-            }
             const double angle = angleBetween(normal, surfaceNormal);
             check_.worstCornerAngle = std::max(check_.worstCornerAngle, angle);
             if (!(angle < options_.maxCornerAngle)) {
