@@ -78,6 +78,7 @@ public:
         for (const BrepLoop& loop : face_.loops) loops.push_back(strandsOf(loop));
         measure(loops);
         for (std::uint32_t i = 0; i < loops.size(); ++i) {
+            if (auto sound = checkPoles(i, loops[i]); !sound) return sound.error();
             if (auto added = addLoop(i, loops[i]); !added) return added.error();
         }
         for (const BrepEdgeId edge : face_.embeddedEdges) addEmbedded(edge);
@@ -180,6 +181,18 @@ private:
         if (entity.dimension == 1)
             closeness = std::max(closeness, 2.0 * model_.edges[BrepEdgeId(entity.index)].tolerance);
         return std::max(closeness, kRoundingShare * outline_.size);
+    }
+
+    /// Files mark edges as poles that are none.
+    [[nodiscard]] Result<void> checkPoles(std::uint32_t loop, const std::vector<Strand>& strands) const
+    {
+        constexpr double kReach = 0.05;
+        for (const Strand& strand : strands) {
+            const double gap = face_.loops[loop].coedges[strand.coedge].gap;
+            if (strand.isPole && gap > kReach * outline_.size)
+                return failure(strand, "an edge is marked as a pole and has an extent", "heal the shape");
+        }
+        return {};
     }
 
     static double shiftOf(double difference, double period)
