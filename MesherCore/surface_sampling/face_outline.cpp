@@ -137,7 +137,7 @@ private:
         const double gap = length(face_.surface->position(uv) - position);
         if (!(gap > kExact)) return uv;
         const SurfaceProjection closest = face_.surface->project(position, uv);
-        return closest.distance < 0.5 * gap ? closest.parameters : uv;
+        return closest.distance < 0.9 * gap ? closest.parameters : uv;
     }
 
     Strand poleAlong(const BrepCoedge& coedge) const
