@@ -276,11 +276,7 @@ private:
     bool wouldShrink(TetId tet, const std::array<VertexId, N>& entity)
     {
         if (!guard_.hasAny() || criteria_.judge(tet).need != TetNeed::Quality) return false;
-        const bool isBeside = std::any_of(entity.begin(), entity.end(), [&](VertexId v) {
-            const NodeId node = t_.nodeOf[v];
-            return node.isValid() && guard_.isSmallAt(splitter_.mesh().nodes[node].entity);
-        });
-        if (!isBeside) return false;
+        if (!isBesideSmallAngle(entity)) return false;
         double longest = 0.0;
         for (std::size_t i = 0; i < N; ++i) {
             longest = std::max(
@@ -289,6 +285,16 @@ private:
         if (0.25 * longest >= shortestSquaredEdge(tet)) return false;
         ++result_.counts.guardedSplits;
         return true;
+    }
+
+    /// Whether the entity has a vertex on a small angle: there the two sides of the angle always encroach upon each other.
+    template <std::size_t N>
+    [[nodiscard]] bool isBesideSmallAngle(const std::array<VertexId, N>& entity) const
+    {
+        return guard_.hasAny() && std::any_of(entity.begin(), entity.end(), [&](VertexId v) {
+                   const NodeId node = t_.nodeOf[v];
+                   return node.isValid() && guard_.isSmallAt(splitter_.mesh().nodes[node].entity);
+               });
     }
 
     [[nodiscard]] double shortestSquaredEdge(TetId tet) const
@@ -364,7 +370,8 @@ private:
             const auto [a, b, c] = mesh_.faceVertices({tet, face});
             const auto ball =
                 ProtectingBall::ofFacet(mesh_.position(a), mesh_.position(b), mesh_.position(c));
-            if (ball && ball->contains(mesh_.position(mesh_.vertex(tet, face)))) pushFacetAt({tet, face});
+            if (!ball || !ball->contains(mesh_.position(mesh_.vertex(tet, face)))) continue;
+            if (!isBesideSmallAngle(std::array{a, b, c})) pushFacetAt({tet, face});
         }
         for (int edge = 0; edge < 6; ++edge) {
             if (!mesh_.isEdgeConstrained(tet, edge)) continue;
