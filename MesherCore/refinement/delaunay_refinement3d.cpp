@@ -92,7 +92,7 @@ private:
             progress_ = std::max(progress_, 0.99 * static_cast<double>(done) / total);
             if (!context_.reportProgress("refinement", progress_)) context_.requestCancel();
         }
-        if (!budget_.allows({mesh_.vertexCount(), meshedTets_})) return false;
+        if (!budget_.allows({mesh_.vertexCount(), meshedTets()})) return false;
         if (context_.checkLevel() == CheckLevel::Full && std::has_single_bit(budget_.operations())) {
             MESHER_INVARIANT(checkRefinement(t_, splitter_.mesh()).isValid());
         }
@@ -124,9 +124,13 @@ private:
         return mesh_.isAlive(tet) && mesh_.region(tet) != kExteriorRegion && !mesh_.isGhostTet(tet);
     }
 
+    /// Those outside of all solids hardly change in number.
+    [[nodiscard]] std::uint64_t meshedTets() const { return mesh_.tetCount() - exteriorTets_; }
+
     void countTets()
     {
-        for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) meshedTets_ += isMeshed(TetId(i)) ? 1u : 0u;
+        exteriorTets_ = mesh_.tetCount();
+        for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) exteriorTets_ -= isMeshed(TetId(i)) ? 1u : 0u;
     }
 
     // ---- tetrahedra
@@ -195,10 +199,10 @@ private:
     {
         const Cavity3d& conflicts = t_.delaunay->findConflicts(point, tet);
         const Encroached3d encroached = findEncroached(mesh_, conflicts, t_.delaunay->filter());
-        if (encroached.segment[0].isValid() || encroached.facet.isValid()) return reject(encroached);
+        if (encroached.segment[0].isValid() || encroached.facet.isValid()) return reject(tet, encroached);
         if (encroached.hasFacetBehind) {
             const TetFace blocking = firstConstraintTowards(mesh_, tet, point, t_.delaunay->filter());
-            if (blocking.isValid()) return reject(blocking);
+            if (blocking.isValid()) return reject(tet, {{}, blocking, true});
         }
         const RegionId region = mesh_.region(tet);
         const Cavity3d& cavity = t_.delaunay->makeStarShaped();
@@ -206,7 +210,7 @@ private:
             ++result_.counts.abortedInsertions;
             return Attempt::Impossible;
         }
-        insert(region, cavity.tets.size());
+        insert(region);
         return Attempt::Inserted;
     }
 
@@ -222,7 +226,7 @@ private:
         return attemptAt(tet, onGrid(*ofFace));
     }
 
-    void insert(RegionId region, std::size_t removedTets)
+    void insert(RegionId region)
     {
         VertexClass classification;
         classification.entity = (region.value - 1) & VertexClass::kNoEntity;
@@ -231,8 +235,6 @@ private:
         t_.nodeOf[v] = NodeId();
         const bool isLow = scale_.assign(v, t_.delaunay->neighboursOfCommitted());
         const auto star = t_.delaunay->created();
-        meshedTets_ += star.size();
-        meshedTets_ -= removedTets;
         for (const TetId created : star) queueTet(created);
         if (isLow) gradeAround(v);
     }
@@ -253,24 +255,57 @@ private:
 
     // ---- encroachment
 
-    Attempt reject(const Encroached3d& encroached)
+    Attempt reject(TetId tet, const Encroached3d& encroached)
     {
         if (isSinkPhase_) return Attempt::Impossible;
         ++result_.counts.rejectedCentres;
-        if (encroached.segment[0].isValid()) {
+        if (encroached.segment[0].isValid() && !wouldShrink(tet, encroached.segment)) {
             const SegmentId* segment =
                 t_.segmentOf.find(unorderedPair(encroached.segment[0], encroached.segment[1]));
             if (segment != nullptr && pushSegment(*segment)) return Attempt::Rejected;
         }
-        if (encroached.facet.isValid() && pushFacetAt(encroached.facet)) return Attempt::Rejected;
+        const bool mayPush =
+            encroached.facet.isValid() && !wouldShrink(tet, mesh_.faceVertices(encroached.facet));
+        if (mayPush && pushFacetAt(encroached.facet)) return Attempt::Rejected;
         return Attempt::Impossible;
     }
 
-    Attempt reject(TetFace blocking)
+    /// Beside a small angle of the input a bad tetrahedron must not make edges shorter than its own, or they would get
+    /// shorter and shorter.
+    template <std::size_t N>
+    bool wouldShrink(TetId tet, const std::array<VertexId, N>& entity)
     {
-        if (isSinkPhase_) return Attempt::Impossible;
-        ++result_.counts.rejectedCentres;
-        return pushFacetAt(blocking) ? Attempt::Rejected : Attempt::Impossible;
+        if (!guard_.hasAny() || criteria_.judge(tet).need != TetNeed::Quality) return false;
+        if (!isBesideSmallAngle(entity)) return false;
+        double longest = 0.0;
+        for (std::size_t i = 0; i < N; ++i) {
+            longest = std::max(
+                longest, squaredLength(mesh_.position(entity[(i + 1) % N]) - mesh_.position(entity[i])));
+        }
+        if (0.25 * longest >= shortestSquaredEdge(tet)) return false;
+        ++result_.counts.guardedSplits;
+        return true;
+    }
+
+    /// Whether the entity has a vertex on a small angle: there the two sides of the angle always encroach upon each other.
+    template <std::size_t N>
+    [[nodiscard]] bool isBesideSmallAngle(const std::array<VertexId, N>& entity) const
+    {
+        return guard_.hasAny() && std::any_of(entity.begin(), entity.end(), [&](VertexId v) {
+                   const NodeId node = t_.nodeOf[v];
+                   return node.isValid() && guard_.isSmallAt(splitter_.mesh().nodes[node].entity);
+               });
+    }
+
+    [[nodiscard]] double shortestSquaredEdge(TetId tet) const
+    {
+        const auto& v = mesh_.tet(tet).vertex;
+        double shortest = squaredLength(mesh_.position(v[1]) - mesh_.position(v[0]));
+        for (const auto& [from, to] : kEdgeSlots) {
+            shortest = std::min(shortest, squaredLength(mesh_.position(v[static_cast<unsigned>(to)]) -
+                                                        mesh_.position(v[static_cast<unsigned>(from)])));
+        }
+        return shortest;
     }
 
     bool pushFacetAt(TetFace face)
@@ -335,7 +370,8 @@ private:
             const auto [a, b, c] = mesh_.faceVertices({tet, face});
             const auto ball =
                 ProtectingBall::ofFacet(mesh_.position(a), mesh_.position(b), mesh_.position(c));
-            if (ball && ball->contains(mesh_.position(mesh_.vertex(tet, face)))) pushFacetAt({tet, face});
+            if (!ball || !ball->contains(mesh_.position(mesh_.vertex(tet, face)))) continue;
+            if (!isBesideSmallAngle(std::array{a, b, c})) pushFacetAt({tet, face});
         }
         for (int edge = 0; edge < 6; ++edge) {
             if (!mesh_.isEdgeConstrained(tet, edge)) continue;
@@ -392,7 +428,6 @@ private:
                                length(mesh_.position(b) - mesh_.position(a)) > 2.0 * floor();
         if (isAllowed) {
             const BoundarySplit3d split = boundary_.splitSegment(segment);
-            recount(split);
             if (split.outcome == SplitOutcome3d::Split) {
                 ++result_.counts.segmentSplits;
                 finishSplit(split);
@@ -421,7 +456,6 @@ private:
     {
         const auto mayEncroach = [&](SegmentId s) { return isRefused(refusedSegments_, s.value); };
         const BoundarySplit3d split = boundary_.splitFacet(facet, mayEncroach);
-        recount(split);
         switch (split.outcome) {
             case SplitOutcome3d::Split:
                 ++result_.counts.facetSplits;
@@ -515,12 +549,6 @@ private:
         return sizes / weights;
     }
 
-    void recount(const BoundarySplit3d&)
-    {
-        // Boundary splits change few tetrahedra of several regions; the exact number matters for limits only.
-        meshedTets_ += boundary_.created().size() / 4;
-    }
-
     [[nodiscard]] double floor() const { return options_.floor * t_.scale; }
 
     // ---- the end
@@ -610,7 +638,7 @@ private:
     std::vector<char> deferredFacets_;  ///< that have waited for a neighbour
     std::vector<VertexId> lowered_;
     std::vector<TetId> star_;
-    std::uint64_t meshedTets_ = 0;
+    std::uint32_t exteriorTets_ = 0;  ///< at the start, ghosts included
     double progress_ = 0.0;
     bool isSinkPhase_ = false;
     bool isStopped_ = false;

@@ -36,6 +36,12 @@ public:
     /// length scale there.
     [[nodiscard]] std::optional<SmallInputAngle> blameFor(const Vec3& point, double reach) const;
     [[nodiscard]] bool hasAny() const { return !edges_.empty() || !vertices_.empty(); }
+    /// Whether the model edge or vertex has a small angle.
+    [[nodiscard]] bool isSmallAt(EntityRef entity) const
+    {
+        return (entity.dimension == 0 && vertices_.contains(entity.index)) ||
+               (entity.dimension == 1 && edges_.contains(entity.index));
+    }
 
 private:
     void measureSegments(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface);

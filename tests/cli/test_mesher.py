@@ -219,6 +219,64 @@ def turned(axis, angle):
             [z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)]]
 
 
+class TestSolids(Case):
+    """Solids and faces in space."""
+
+    def test_box(self):
+        self.expect(0, "mesh", DATA / "box.brep", "--size", 0.3, "--check", "-o", "m.msh", "--report", "r.json")
+        self.expect(0, "check", "m.msh", "--model", DATA / "box.brep")
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertAlmostEqual(report["mesh"]["volume"], 6.0, delta=1e-9)
+        self.assertGreater(report["quality"]["min_dihedral"], 18.0)
+        self.assertLess(report["quality"]["max_dihedral"], 155.0)
+        self.assertEqual(len(report["quality"]["dihedral_histogram"]), 18)
+        for stage in ("surfaces", "tetrahedralization", "refinement"):
+            self.assertIn(stage, report["seconds"])
+
+    def test_two_runs_give_the_same_bytes(self):
+        for name in ("a.msh", "b.msh"):
+            self.expect(0, "mesh", DATA / "box.brep", "--size", 0.4, "-o", name)
+        self.assertEqual((self.folder / "a.msh").read_bytes(), (self.folder / "b.msh").read_bytes())
+
+    def test_the_number_of_threads_changes_nothing(self):
+        for threads in (1, 2):
+            self.expect(0, "mesh", DATA / "box.brep", "--size", 0.4, "--threads", threads, "-o", f"{threads}.msh")
+        self.assertEqual((self.folder / "1.msh").read_bytes(), (self.folder / "2.msh").read_bytes())
+
+    def test_writes_every_format(self):
+        names = ["m.msh", "m.vtu", "m.vtk", "m.inp", "m.unv", "m.stl"]
+        outputs = [word for name in names for word in ("-o", name)]
+        self.expect(0, "mesh", DATA / "box.brep", "--size", 0.5, *outputs)
+        for name in names:
+            self.assertGreater((self.folder / name).stat().st_size, 1000, name)
+
+    def test_sizes_on_an_edge(self):
+        counts = []
+        for options in ([], ["--local-size", "Edge1=0.05"]):
+            self.expect(0, "mesh", DATA / "box.brep", "--size", 0.5, *options, "-o", "m.msh", "--report", "r.json")
+            counts.append(json.loads((self.folder / "r.json").read_text())["counts"]["tets"])
+        self.assertGreater(counts[1], 3 * counts[0])
+
+    def test_faces_in_space(self):
+        self.expect(0, "mesh", DATA / "cylinder_wall.brep", "--dimension", 2, "--size", 0.3, "--check", "-o", "m.msh")
+        self.expect(0, "mesh", DATA / "box.brep", "--dimension", 2, "--size", 0.3, "--check", "-o", "b.msh", "--report", "r.json")
+        self.assertAlmostEqual(json.loads((self.folder / "r.json").read_text())["mesh"]["area"], 22.0, delta=1e-9)
+
+    def test_limits(self):
+        self.expect_refusal(1, "limit of 2000 elements", "mesh", DATA / "box.brep", "--size", 0.05, "--max-elements", 2000, "-o", "m.msh")
+        self.expect_refusal(1, "time limit", "mesh", DATA / "box.brep", "--size", 0.01, "--timeout", 0.2, "-o", "m.msh")
+        self.assertFalse((self.folder / "m.msh").exists())
+
+    def test_sigint_cancels_within_a_second(self):
+        process = subprocess.Popen([PROGRAM, "mesh", DATA / "box.brep", "--size", "0.01", "-o", "m.msh"], cwd=self.folder,
+                                   stderr=subprocess.PIPE)
+        time.sleep(1.0)
+        process.send_signal(signal.SIGINT)
+        self.assertIn("cancelled", process.communicate(timeout=30)[1].decode())
+        self.assertEqual(process.returncode, 130)
+        self.assertFalse((self.folder / "m.msh").exists())
+
+
 class TestPlacement(Case):
     """Faces in any plane of space."""
 
@@ -487,16 +545,19 @@ class TestRefusals(Case):
     def test_models_that_cannot_be_meshed(self):
         self.expect_refusal(1, "plate.brep: has no solid; .*--dimension 2", "mesh", DATA / "plate.brep", "-o", "a.msh")
         for name, pattern in [
-                ("box.brep", r"Face[1-6] at \(.*\): the face lies in another plane than Face1"),
-                ("angled_squares.brep", r"Face2 at \(0, 0, 1\): the face lies in another plane than Face1: .* up to 1 off"),
                 ("open_wire.brep", r"Face1 at \(0, 1, 0\): its wire is open between Edge3 and Edge1"),
                 ("crossing_wire.brep", r"Edge1 and Edge3 at \(1\.333.*, 0\.666.*, 0\): the edges meet away from"),
                 ("no_area.brep", "Face1: the face has no area"),
                 ("no_wire.brep", "Face1: the face has no area or no end"),
                 ("wire_only.brep", "has no face"),
-                ("nothing.brep", "has no face"),
-                ("cylinder_wall.brep", "Face1: the face is not plane: it departs from its best plane by 1")]:
+                ("nothing.brep", "has no face")]:
             self.expect_model_refusal(DATA / name, pattern)
+        for name, faces, pattern in [
+                ("box.brep", "Face1,Face2", r"Face[1-6] at \(.*\): the face lies in another plane than Face1"),
+                ("angled_squares.brep", "Face1,Face2",
+                 r"Face2 at \(0, 0, 1\): the face lies in another plane than Face1: .* up to 1 off"),
+                ("cylinder_wall.brep", "Face1", "Face1: the face is not plane: it departs from its best plane by 1")]:
+            self.expect_model_refusal(DATA / name, pattern, "--faces", faces)
 
     def test_absurd_sizes_of_a_model(self):
         self.expect_model_refusal(DATA / "plate.brep", "--max-elements 50000000", "--size", 1e-7)
@@ -537,7 +598,7 @@ class TestRefusals(Case):
         self.assertEqual((self.folder / "m.msh").read_text(), "precious")
 
     def test_failed_run_is_told_in_the_report(self):
-        self.expect(1, "mesh", DATA / "box.brep", "--dimension", 2, "-o", "a.msh", "--report", "r.json")
+        self.expect(1, "mesh", DATA / "box.brep", "--dimension", 2, "--faces", "Face1,Face2", "-o", "a.msh", "--report", "r.json")
         report = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(report["status"], "failed")
         failure = report["failures"][0]

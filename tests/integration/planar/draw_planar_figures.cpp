@@ -7,7 +7,7 @@
 #include "io/draw_png.h"
 #include "io/mesh_writer.h"
 #include "io/write_text_file.h"
-#include "triangulation2d/planar_export.h"
+#include "pipeline/classify_planar.h"
 
 #include <filesystem>
 #include <iostream>
@@ -28,10 +28,10 @@ Result<void> writePicture(const Image& image, const std::filesystem::path& path)
 
 ClassifiedMesh meshOf(const MeshedFigure& meshed)
 {
-    const auto domain = PlanarDomain::make(meshed.figure.complex);
-    std::vector<EntityRef> faces;
-    for (std::uint32_t i = 0; i < meshed.figure.complex.regionNames.size(); ++i) faces.push_back({2, i});
-    return exportPlanarMesh(*domain, meshed.result.triangulation, faces);
+    PlanarCurveComplex complex = meshed.figure.complex;
+    for (std::uint32_t i = 0; i < complex.regionNames.size(); ++i) complex.regionNames[i] = nameOf(BrepFaceId(i));
+    constexpr int kBoundaryOrder = 1;
+    return classifyPlanar(complex, meshed.result.triangulation, kBoundaryOrder).mesh;
 }
 
 /// The triangles left beside small angles get a colour that no region of these examples has beside them.

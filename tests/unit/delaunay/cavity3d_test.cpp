@@ -357,5 +357,87 @@ TEST(Cavity3d, FindsAllCandidatesForEncroachment)
     EXPECT_GT(encroached, repetitions(300) / 4);
 }
 
+/// An octahedron in region 1 whose eight facets are constrained.
+struct Octahedron
+{
+    Delaunay3d delaunay;
+    std::array<VertexId, 3> facet;  ///< in x, y, z > 0
+
+    Octahedron()
+    {
+        const std::vector<Vec3> corners = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
+                                           {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+        const BulkInsertion3d inserted = insertAll(delaunay, corners);
+        facet = {inserted.vertex[0], inserted.vertex[1], inserted.vertex[2]};
+        std::sort(facet.begin(), facet.end());
+        Triangulation3d& mesh = delaunay.triangulation();
+        for (const TetId tet : finiteTets(mesh)) mesh.setRegion(tet, RegionId(1u));
+        for (const TetId tet : liveTets(mesh)) {
+            if (mesh.isGhostTet(tet)) mesh.setFaceConstrained({tet, 3}, true);
+        }
+    }
+
+    [[nodiscard]] double regionVolume() const
+    {
+        double volume = 0.0;
+        for (const TetId tet : finiteTets(delaunay.triangulation())) {
+            if (delaunay.triangulation().region(tet) == RegionId(1u))
+                volume += volumeOf(delaunay.triangulation(), tet);
+        }
+        return volume;
+    }
+
+    CavityStatus replaceFacetBy(const Vec3& point)
+    {
+        const std::vector<std::array<VertexId, 3>> faces = {facet};
+        const std::vector<std::array<VertexId, 2>> perimeter = {
+            {facet[0], facet[1]}, {facet[1], facet[2]}, {facet[2], facet[0]}};
+        const CavityStatus status =
+            delaunay.findCavity(point, {CavitySplit3d::Kind::Facets, {}, faces, perimeter}).status;
+        if (status != CavityStatus::Ready) return status;
+        const VertexId v = delaunay.commit().vertex;
+        const Triangulation3d& mesh = delaunay.triangulation();
+        for (const auto& [a, b] : perimeter) {
+            const TetFace face = mesh.findFace(a, b, v);
+            EXPECT_TRUE(face.isValid() && mesh.isFaceConstrained(face));
+        }
+        const TetFace old = mesh.findFace(facet[0], facet[1], facet[2]);
+        EXPECT_FALSE(old.isValid() && mesh.isFaceConstrained(old));
+        EXPECT_TRUE(isSoundTopology(mesh));
+        return status;
+    }
+};
+
+TEST(Cavity3dFacets, GiveTheirRegionToAPointInFront)
+{
+    Octahedron solid;
+    ASSERT_EQ(solid.replaceFacetBy({0.5, 0.5, 0.5}), CavityStatus::Ready);
+    EXPECT_NEAR(solid.regionVolume(), (8.0 + 0.5) / 6.0, 1e-15);
+}
+
+TEST(Cavity3dFacets, StayAsOrdinaryFacesBeforeAPointBehind)
+{
+    Octahedron solid;
+    ASSERT_EQ(solid.replaceFacetBy({0.3, 0.3, 0.3}), CavityStatus::Ready);
+    EXPECT_NEAR(solid.regionVolume(), (8.0 - 0.1) / 6.0, 1e-15);
+    const auto& f = solid.facet;
+    EXPECT_TRUE(solid.delaunay.triangulation().findFace(f[0], f[1], f[2]).isValid());
+}
+
+TEST(Cavity3dFacets, AreHalvedByAPointInTheirPlane)
+{
+    Octahedron solid;
+    ASSERT_EQ(solid.replaceFacetBy({0.25, 0.25, 0.5}), CavityStatus::Ready);
+    EXPECT_NEAR(solid.regionVolume(), 8.0 / 6.0, 1e-15);
+}
+
+TEST(Cavity3dFacets, AreLeftAloneByAPointBehindOtherFacets)
+{
+    Octahedron solid;
+    const std::uint64_t before = stateHash(solid.delaunay.triangulation());
+    EXPECT_NE(solid.replaceFacetBy({-2, -2, -2}), CavityStatus::Ready);
+    EXPECT_EQ(stateHash(solid.delaunay.triangulation()), before);
+}
+
 }  // namespace
 }  // namespace mesher::test
