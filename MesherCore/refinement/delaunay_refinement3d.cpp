@@ -219,11 +219,62 @@ private:
     {
         const std::optional<Vec3> centre = criteria_.circumcentre(tet);
         const Attempt first = centre ? attemptAt(tet, onGrid(*centre)) : Attempt::Impossible;
-        if (first != Attempt::Impossible || !criteria_.isNearlyFlat(tet)) return first;
+        if (first != Attempt::Impossible || isSinkPhase_) return first;
+        if (!criteria_.isNearlyFlat(tet)) return centre ? insertShortOf(tet, *centre) : first;
         const std::optional<Vec3> ofFace = criteria_.centreOfLargestFace(tet);
         if (!ofFace) return Attempt::Impossible;
         ++result_.counts.flatTets;
         return attemptAt(tet, onGrid(*ofFace));
+    }
+
+    /// Where the boundary cannot be split: the circumcentre all the same, or a vertex halfway to the facet before it, if
+    /// that leaves room around it.
+    Attempt insertShortOf(TetId tet, const Vec3& centre)
+    {
+        const TetFace blocking = firstConstraintTowards(mesh_, tet, centre, t_.delaunay->filter());
+        Vec3 point = centre;
+        if (blocking.isValid()) {
+            Vec3 start;
+            for (const VertexId v : mesh_.tet(tet).vertex) start = start + 0.25 * mesh_.position(v);
+            point = start + 0.5 * crossingOf(blocking, start, centre) * (centre - start);
+        }
+        if (!isFinite(point)) return Attempt::Impossible;
+        const RegionId region = mesh_.region(tet);
+        t_.delaunay->findConflicts(onGrid(point), tet);
+        const Cavity3d& cavity = t_.delaunay->makeStarShaped();
+        if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) return Attempt::Impossible;
+        ++result_.counts.shortInsertions;
+        insert(region);
+        return Attempt::Inserted;
+    }
+
+    /// Where the line from `start` (0) to `end` (1) meets the plane of a face.
+    [[nodiscard]] double crossingOf(TetFace face, const Vec3& start, const Vec3& end) const
+    {
+        const auto [a, b, c] = mesh_.faceVertices(face);
+        const Vec3& origin = mesh_.position(a);
+        const Vec3 normal = cross(mesh_.position(b) - origin, mesh_.position(c) - origin);
+        return dot(origin - start, normal) / dot(end - start, normal);
+    }
+
+    /// Whether all of the cavity's surface that counts keeps a part of the length scale away.
+    [[nodiscard]] bool hasRoom(const Cavity3d& cavity, TetId tet) const
+    {
+        constexpr double kLeastShare = 0.4;
+        double room = 0.0;
+        for (const VertexId v : mesh_.tet(tet).vertex) room += 0.25 * kLeastShare * scale_.guard(v);
+        for (const CavityFace3d& face : cavity.faces) {
+            for (const VertexId v : face.vertex) {
+                if (length(mesh_.position(v) - cavity.point) < room) return false;
+            }
+        }
+        return std::all_of(
+            cavity.constrainedFaces.begin(), cavity.constrainedFaces.end(), [&](TetFace outer) {
+                const auto [a, b, c] = mesh_.faceVertices(mesh_.neighbour(outer));
+                const Vec3& origin = mesh_.position(a);
+                const Vec3 normal = cross(mesh_.position(b) - origin, mesh_.position(c) - origin);
+                return dot(cavity.point - origin, normal) >= 0.5 * room * length(normal);
+            });
     }
 
     void insert(RegionId region)

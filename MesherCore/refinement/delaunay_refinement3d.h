@@ -34,6 +34,7 @@ struct RefinementCounts3d
     std::uint64_t refusedFacets = 0;
     std::uint64_t guardedSplits = 0;      ///< not made beside small angles, as they would make shorter edges
     std::uint64_t neighbourSplits = 0;    ///< facets split in the place of one that could not be
+    std::uint64_t shortInsertions = 0;    ///< at or before a boundary that cannot be split
     std::uint64_t abortedInsertions = 0;  ///< no cavity around the circumcentre was star-shaped
     std::uint64_t flatTets = 0;           ///< so flat that the circumcentre of a face had to do
     std::uint64_t cavityRepairs = 0;      ///< tetrahedra taken out of cavities to make them star-shaped

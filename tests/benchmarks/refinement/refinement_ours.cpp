@@ -108,7 +108,7 @@ int main(int count, char** words)
               << ", \"quality\": " << c.qualityInsertions << ", \"segments\": " << c.segmentSplits
               << ", \"facets\": " << c.facetSplits << ", \"rejected\": " << c.rejectedCentres
               << ", \"refused\": [" << c.refusedSegments << ", " << c.refusedFacets
-              << "], \"aborted\": " << c.abortedInsertions << ", \"repairs\": " << c.cavityRepairs
+              << "], \"aborted\": " << c.abortedInsertions << ", \"short\": " << c.shortInsertions << ", \"repairs\": " << c.cavityRepairs
               << ", \"neighbour\": " << c.neighbourSplits << ", \"deleted\": " << c.boundary.deletedVertices
               << ", \"kept\": " << c.boundary.keptVertices << ", \"least\": " << c.boundary.leastExtents
               << ", \"blocked\": " << c.boundary.blockedCavities
