@@ -173,11 +173,9 @@ bool CoplanarSwap::fillByStar(const std::vector<VertexId>& chain, std::size_t fr
             shell.add({mesh_.faceVertices(face), mesh_.neighbour(face)});
         }
     }
-    for (const VertexId end : edge_) {
-        TetCorners base{chain.front(), chain.back(), end, chain[1]};
-        if (!isPositive(base)) std::swap(base[0], base[1]);
-        shell.add({{base[0], base[1], base[2]}, TetFace()});
-    }
+    // As the tetrahedra of tetsOn have them, whatever side of a nearly plane base a vertex of the chain is on.
+    shell.add({{chain.front(), chain.back(), edge_[0]}, TetFace()});
+    shell.add({{chain.back(), chain.front(), edge_[1]}, TetFace()});
     Vec3 point;
     if (!findStarPoint(chain, shell, point)) return false;
     const VertexId centre = mesh_.addVertex(point);
