@@ -188,7 +188,8 @@ private:
     {
         const auto ends = unorderedPair(t_.mesh().edgeFrom(side), t_.mesh().edgeTo(side));
         const std::uint32_t* piece = t_.pieceOf.find(ends);
-        return piece == nullptr || !outline_.pieces[*piece].segment.isValid() ? nullptr : &outline_.pieces[*piece];
+        return piece == nullptr || !outline_.pieces[*piece].segment.isValid() ? nullptr
+                                                                              : &outline_.pieces[*piece];
     }
 
     /// Points nearer to a curve than its segment is would make facets that lie across the surface, and ever more of them.
@@ -201,7 +202,8 @@ private:
             if (piece == nullptr) continue;
             const Vec3& a = corner(t, nextCorner(k)).position;
             const Vec3& b = corner(t, previousCorner(k)).position;
-            if (FaceTriangulation::isNarrowBeside(*piece, a, b, corner(t, k).position) && name(piece->segment))
+            if (FaceTriangulation::isNarrowBeside(*piece, a, b, corner(t, k).position) &&
+                name(piece->segment))
                 return true;
         }
         return false;

@@ -39,7 +39,8 @@ public:
         for (; result_.rounds < options_.maxRounds; ++result_.rounds) {
             std::vector<SegmentId> proposals;
             for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
-                if (isStale_[BrepFaceId(f)] != 0 && isGivenUp_[BrepFaceId(f)] == 0) triangulate(BrepFaceId(f), proposals);
+                if (isStale_[BrepFaceId(f)] != 0 && isGivenUp_[BrepFaceId(f)] == 0)
+                    triangulate(BrepFaceId(f), proposals);
             }
             if (proposals.empty() && !findSharedEdges()) break;
             split(proposals);
@@ -143,8 +144,7 @@ private:
         for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
             const BrepFaceId f(i);
             InitialFaceMesh& mesh = result_.faces[f];
-            if (!errors_[f] && isStale_[f] != 0)
-                errors_[f] = chainsTooCoarse(model_, f, options_.maxRounds);
+            if (!errors_[f] && isStale_[f] != 0) errors_[f] = chainsTooCoarse(model_, f, options_.maxRounds);
             if (errors_[f]) {
                 result_.failures.emplace_back(f, *errors_[f]);
                 mesh.facets.clear();
