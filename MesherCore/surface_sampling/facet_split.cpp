@@ -132,7 +132,8 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, bool m
     }
     const FaceVertex vertex = vertexAt(*centre);
     star_.evaluateInside(walk.triangle, vertex, centre->parameters - walk.shift, extent);
-    if (extent == StarExtent::Least && star_.isFolded()) {
+    // Above the edge of a coarse facet a vertex makes a steep one; without that edge it does not.
+    if (star_.isFolded()) {
         const EdgeLink side = nearestSide(walk.triangle, vertex.position);
         if (!mesh_.segment(side).isValid()) {
             star_.evaluateOnSide(side, vertex, centre->parameters - walk.shift, extent, {});

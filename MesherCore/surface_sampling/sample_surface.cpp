@@ -28,9 +28,9 @@ std::optional<Error> refuseOptions(const SurfaceSamplingOptions& options)
         return outOfRange("the smallest angle", "[0, 34] degrees");
     if (!(facets.maxSize > 0.0)) return outOfRange("the largest size", "(0, infinity]");
     for (const double value :
-         {facets.elementsPerTurn, facets.rho, facets.maxSag, facets.leastCurvatureSize}) {
+         {facets.elementsPerTurn, facets.rho, facets.maxSag, facets.leastCurvatureSize, options.minSize}) {
         if (!(value >= 0.0) || !std::isfinite(value))
-            return outOfRange("a wish for curved faces", "[0, infinity)");
+            return outOfRange("a size or a wish for curved faces", "[0, infinity)");
     }
     if (!(facets.maxNormalDeviation > 0.0 && facets.maxNormalDeviation <= 90.0)) {
         return outOfRange("the largest deviation of normals", "(0, 90] degrees");
@@ -44,10 +44,16 @@ std::optional<Error> refuseOptions(const SurfaceSamplingOptions& options)
 /// Curvature asks for nothing smaller than this share of the model.
 constexpr double kLeastCurvatureShare = 2e-4;
 
+constexpr double kFloorShare = 5e-5;
+
 FaceRefinementOptions refinementOptions(const BrepModel& model, const SurfaceSamplingOptions& options)
 {
-    FaceRefinementOptions result{options.facets, {0.0, options.encroachmentAngle}};
-    const double least = kLeastCurvatureShare * length(model.box.extent());
+    const double diagonal = length(model.box.extent());
+    const double floor = options.minSize > 0.0
+                             ? options.minSize
+                             : std::min(kFloorShare * diagonal, 0.05 * options.facets.maxSize);
+    FaceRefinementOptions result{options.facets, {floor, options.encroachmentAngle}};
+    const double least = kLeastCurvatureShare * diagonal;
     result.criteria.leastCurvatureSize = std::max(options.facets.leastCurvatureSize, least);
     return result;
 }
@@ -57,6 +63,21 @@ std::size_t aliveFacets(const SurfaceMesh& mesh)
     std::size_t count = 0;
     for (const SurfaceFacet& facet : mesh.facets) count += facet.isAlive() ? 1 : 0;
     return count;
+}
+
+/// A face whose mesh does not follow a split of its edges no longer fits its neighbours.
+void reportLostSegments(const BrepModel& model, const SampledFaces& faces,
+                        std::vector<std::pair<BrepFaceId, Error>>& failures)
+{
+    for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
+        const SampledFace* face = faces.face(BrepFaceId(f));
+        if (face == nullptr || face->refiner.counts().lostSegments == 0) continue;
+        failures.emplace_back(BrepFaceId(f), Error{ErrorCode::IntersectingConstraints,
+                                                   "the mesh of the face has lost pieces of its edges",
+                                                   nameOf(BrepFaceId(f)),
+                                                   {},
+                                                   "repair the edges of the face"});
+    }
 }
 
 void countResult(SampledSurface& surface, SurfaceSamplingCounts& counts)
@@ -95,6 +116,7 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
                                                 refinementOptions(model, options));
     counts.rounds = faces->refine(options.limits, options.maxRounds, context);
     sample.failures = faces->failures();
+    reportLostSegments(model, *faces, sample.failures);
     sample.stopReason = counts.rounds.stopReason;
     sample.surface = std::make_unique<SampledSurface>(std::move(faces));
     sample.seconds.refinement = secondsSince(start);

@@ -26,6 +26,9 @@ struct SurfaceSamplingOptions
     FacetCriteriaOptions facets;
     /// See FacetSplitOptions, degrees in [90, 150].
     double encroachmentAngle = 90.0;
+    /// Neither angles nor encroachment make edges shorter than this, model units; 0 for a 20,000th of the model's diagonal, or
+    /// a 20th of the largest size if that is less. Never below ten times the tolerance of the face or edge.
+    double minSize = 0.0;
     /// For the model as a whole; faces are stopped when one of them alone, or all together, have so many vertices.
     BudgetLimits limits{.maxVertices = 20'000'000, .maxTime = {}};
     /// Rounds in which faces wait for each other's splits of segments.

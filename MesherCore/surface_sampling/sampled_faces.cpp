@@ -15,7 +15,16 @@ constexpr int kMostSweeps = 3;
 
 bool SampledFaces::Boundary::maySplit(SegmentId segment) const
 {
-    return segment.value >= faces_.isRefused_.size() || faces_.isRefused_[segment] == 0;
+    if (segment.value < faces_.isRefused_.size() && faces_.isRefused_[segment] != 0) return false;
+    const SurfaceSegment& whole = faces_.chains_.segments()[segment];
+    const Vec3 along = faces_.nodes_[whole.node[1]].position - faces_.nodes_[whole.node[0]].position;
+    return squaredLength(along) >= 4.0 * faces_.floor_ * faces_.floor_;
+}
+
+bool SampledFaces::Boundary::isAtApex(SegmentId segment) const
+{
+    const AngleComplexId complex = faces_.chains_.complexOf(segment);
+    return complex.isValid() && faces_.chains_.smallAngles()[complex].smallestAngle < faces_.minAngle_;
 }
 
 bool SampledFaces::Boundary::spansSmallAngle(NodeId a, NodeId b) const
@@ -25,7 +34,11 @@ bool SampledFaces::Boundary::spansSmallAngle(NodeId a, NodeId b) const
 
 SampledFaces::SampledFaces(const BrepModel& model, CurveChains chains, IdVector<NodeId, MeshNode> nodes,
                            const InitialSurfaceMesh& initial, const FaceRefinementOptions& options)
-    : model_(model), chains_(std::move(chains)), boundary_(*this)
+    : model_(model),
+      chains_(std::move(chains)),
+      boundary_(*this),
+      floor_(options.splits.floor),
+      minAngle_(options.criteria.minAngle)
 {
     findFacesOfEdges();
     failures_ = initial.failures;
@@ -202,7 +215,8 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
     prepareFaces(result, context);
     // Edges first: inside, facets are then judged beside edges that stay.
     std::vector<SegmentId> proposals = takeProposals();
-    while (!proposals.empty() && result.rounds < maxRounds && !context.isCancelled()) {
+    while (!proposals.empty() && result.rounds < maxRounds && !context.isCancelled() &&
+           vertexCount() < limits.maxVertices) {
         ++result.rounds;
         split(std::move(proposals), result, context.threads());
         proposals = takeProposals();

@@ -84,6 +84,7 @@ private:
     public:
         explicit Boundary(const SampledFaces& faces) : faces_(faces) {}
         [[nodiscard]] bool maySplit(SegmentId segment) const override;
+        [[nodiscard]] bool isAtApex(SegmentId segment) const override;
         [[nodiscard]] bool spansSmallAngle(NodeId a, NodeId b) const override;
 
     private:
@@ -108,6 +109,8 @@ private:
     IdVector<BrepEdgeId, std::vector<BrepFaceId>> facesOf_;
     IdVector<BrepFaceId, std::unique_ptr<SampledFace>> faces_;
     std::vector<std::pair<BrepFaceId, Error>> failures_;
+    double floor_ = 0.0;
+    double minAngle_ = 0.0;
     bool isPrepared_ = false;
 };
 

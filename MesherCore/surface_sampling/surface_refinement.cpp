@@ -25,6 +25,7 @@ FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCount
     splits.lostWalks += other.splits.lostWalks;
     splits.foldedStars += other.splits.foldedStars;
     forcedStars += other.forcedStars;
+    lostSegments += other.lostSegments;
     deferred += other.deferred;
     leftAtSmallAngles += other.leftAtSmallAngles;
     leftForResolution += other.leftForResolution;
@@ -37,6 +38,7 @@ FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const Fac
       geometry_(geometry),
       boundary_(boundary),
       criteria_(options.criteria),
+      floor_(options.splits.floor),
       splitter_(mesh, geometry, criteria_, options.splits),
       removal_(mesh, geometry)
 {
@@ -132,11 +134,12 @@ void FaceRefiner::proposeIfEncroached(EdgeLink side)
 {
     const SegmentId segment = mesh_.segment(side);
     if (!segment.isValid()) return;
-    const VertexId apex = mesh_.apex(side);
-    if (splitter_.encroaches(mesh_.position(apex), mesh_.position(mesh_.from(side)),
-                             mesh_.position(mesh_.to(side)))) {
-        propose(segment);
-    }
+    const Vec3& p = mesh_.position(mesh_.apex(side));
+    const Vec3 &a = mesh_.position(mesh_.from(side)), &b = mesh_.position(mesh_.to(side));
+    if (!splitter_.encroaches(p, a, b)) return;
+    // What is nearer than the floor could not be told from the segment by any number of splits.
+    const double height2 = squaredLength(cross(b - a, p - a));
+    if (height2 >= floor_ * floor_ * squaredLength(b - a)) propose(segment);
 }
 
 void FaceRefiner::proposeSegments()
@@ -198,8 +201,16 @@ StopReason FaceRefiner::refine(Budget& budget)
 
 void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
 {
-    if (isAtSmallAngle(t)) {
+    const FaceTriangle& record = mesh_.triangle(t);
+    const FacetShape shape =
+        FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
+    if (isAtSmallAngle(record, shape)) {
         mesh_.triangle(t).left = FacetLeft::SmallAngle;
+        return;
+    }
+    // Good facets there would have edges below the floor: slivers of the model are left as they are.
+    if (need == FacetNeed::Quality && shape.squaredSide[shape.shortest] < floor_ * floor_) {
+        mesh_.triangle(t).left = FacetLeft::Resolution;
         return;
     }
     const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need == FacetNeed::Size);
@@ -209,11 +220,19 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         ++(need == FacetNeed::Size ? counts_.sizeInsertions : counts_.qualityInsertions);
         return;
     }
-    bool isProposed = false;
+    bool isProposed = false, isAtApex = false;
     if (status == FacetSplitStatus::Encroaches) {
-        for (const SegmentId segment : splitter_.encroached()) isProposed = propose(segment) || isProposed;
+        for (const SegmentId segment : splitter_.encroached()) {
+            if (need == FacetNeed::Quality && boundary_.isAtApex(segment)) {
+                isAtApex = true;
+            } else {
+                isProposed = propose(segment) || isProposed;
+            }
+        }
     }
-    if (isProposed) {
+    if (isAtApex && !isProposed) {
+        mesh_.triangle(t).left = FacetLeft::SmallAngle;
+    } else if (isProposed) {
         ++counts_.deferred;
         waiting_.push_back({t, mesh_.triangle(t).generation});
     } else {
@@ -222,11 +241,8 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
     }
 }
 
-bool FaceRefiner::isAtSmallAngle(TriangleId t) const
+bool FaceRefiner::isAtSmallAngle(const FaceTriangle& record, const FacetShape& shape) const
 {
-    const FaceTriangle& record = mesh_.triangle(t);
-    const FacetShape shape =
-        FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
     const FaceVertex& first = mesh_.vertex(record.v[nextCorner(shape.shortest)]);
     const FaceVertex& last = mesh_.vertex(record.v[previousCorner(shape.shortest)]);
     return !first.isFree && !last.isFree && boundary_.spansSmallAngle(first.node, last.node);
@@ -323,7 +339,10 @@ void FaceRefiner::insertOnSegment(const SegmentVertex& split)
     while (side.isValid() && removeApex(side)) side = sideOf(split);
     while (side.isValid() && mesh_.across(side).isValid() && removeApex(mesh_.across(side)))
         side = sideOf(split);
-    if (!side.isValid()) return;
+    if (!side.isValid()) {
+        ++counts_.lostSegments;
+        return;
+    }
     evaluateOnSide(side, split, StarExtent::Delaunay);
     const std::size_t forcedBefore = counts_.forcedStars;
     const VertexId v = splitter_.star().commit();

@@ -7,6 +7,7 @@
 #include "surface_sampling/face_replacement.h"
 #include "surface_sampling/face_star.h"
 #include "surface_sampling/facet_criteria.h"
+#include "surface_sampling/facet_measures.h"
 #include "surface_sampling/facet_split.h"
 
 #include <array>
@@ -24,6 +25,9 @@ public:
     virtual ~FaceBoundary() = default;
     /// False for a segment that is as short as it may be.
     [[nodiscard]] virtual bool maySplit(SegmentId segment) const = 0;
+    /// A segment that is split for nothing but its length or a node in its ball: it is next to the apex of an angle that no
+    /// facet can be good in.
+    [[nodiscard]] virtual bool isAtApex(SegmentId segment) const = 0;
     /// Two nodes on one shell around the apex of a small angle.
     [[nodiscard]] virtual bool spansSmallAngle(NodeId a, NodeId b) const = 0;
 };
@@ -41,9 +45,10 @@ struct FaceRefinementCounts
     std::size_t boundaryInsertions = 0;  ///< vertices put on segments
     std::size_t removals = 0;            ///< free vertices that gave way to a segment's split
     std::size_t forcedStars = 0;         ///< vertices on segments beside which facets fold
-    std::size_t deferred = 0;            ///< facets that waited for segments to be split
-    std::size_t leftAtSmallAngles = 0;   ///< facets, see FacetLeft
-    std::size_t leftForResolution = 0;   ///< facets
+    std::size_t lostSegments = 0;  ///< that had no side in the face; its mesh does not fit its edges then
+    std::size_t deferred = 0;      ///< facets that waited for segments to be split
+    std::size_t leftAtSmallAngles = 0;  ///< facets, see FacetLeft
+    std::size_t leftForResolution = 0;  ///< facets
     FacetSplitCounts splits;
 
     FaceRefinementCounts& operator+=(const FaceRefinementCounts& other);
@@ -110,7 +115,7 @@ private:
     void queueMade(const std::vector<TriangleId>& made);
     bool propose(SegmentId segment);
     void processTriangle(TriangleId t, FacetNeed need);
-    [[nodiscard]] bool isAtSmallAngle(TriangleId t) const;
+    [[nodiscard]] bool isAtSmallAngle(const FaceTriangle& record, const FacetShape& shape) const;
     void proposeAround(VertexId v);
     void proposeIfEncroached(EdgeLink side);
     [[nodiscard]] EdgeLink sideOf(const SegmentVertex& split) const;
@@ -123,6 +128,7 @@ private:
     const FaceGeometry& geometry_;
     const FaceBoundary& boundary_;
     FacetCriteria criteria_;
+    double floor_;
     FacetSplitter splitter_;
     FaceVertexRemoval removal_;
     BucketQueue<TriangleId> sizeQueue_;

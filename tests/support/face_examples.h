@@ -45,6 +45,7 @@ class FrozenBoundary final : public FaceBoundary
 {
 public:
     [[nodiscard]] bool maySplit(SegmentId) const override { return false; }
+    [[nodiscard]] bool isAtApex(SegmentId) const override { return false; }
     [[nodiscard]] bool spansSmallAngle(NodeId, NodeId) const override { return false; }
 };
 

@@ -154,8 +154,8 @@ int main(int count, char** words)
               << ", \"cpu_certificate\": " << sample->seconds.certificate << ", \"cpu\": " << seconds
               << ", \"cpu_initial\": " << sample->seconds.curves + sample->seconds.initial
               << ", \"cpu_refine\": " << sample->seconds.refinement
-              << ", \"per_second\": " << static_cast<double>(c.vertices) / seconds
-              << ", \"check\": \"" << check.problem() << "\"}\n";
+              << ", \"per_second\": " << static_cast<double>(c.vertices) / seconds << ", \"check\": \""
+              << check.problem() << "\"}\n";
     for (const Error& error : c.certificate.errors) std::cerr << describe(error) << '\n';
     for (const auto& [face, error] : sample->failures) std::cerr << describe(error) << '\n';
     return check.isValid() && sample->failures.empty() ? 0 : 3;
