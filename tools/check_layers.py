@@ -28,7 +28,7 @@ FOREIGN_HEADERS = {
 }
 # Folders that hang off their layer: the layers beside themselves that may include them. A layer does not know its adapters, so
 # that it can be built and tested without what they adapt.
-ADAPTERS = {"brep/occt": {"cli"}}
+ADAPTERS = {"brep/occt": {"bindings", "cli"}}
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
 INTRINSICS_HEADER = re.compile(r"[a-z]*intrin\.h")
 

@@ -38,7 +38,8 @@ double FacetCriteria::sizeAt(const Vec3& point, double curvatureRadius) const
         size = std::min(size, std::max(turn, options_.leastCurvatureSize));
     }
     if (options_.maxSag > 0.0) {
-        const double chord = std::sqrt(8.0 * curvatureRadius * options_.maxSag);
+        // No edge is longer than sqrt(2) times its size.
+        const double chord = std::sqrt(4.0 * curvatureRadius * options_.maxSag);
         size = std::min(size, std::max(chord, options_.leastCurvatureSize));
     }
     if (options_.sizes != nullptr) size = std::min(size, options_.sizes->sizeAt(point));

@@ -128,7 +128,7 @@ class Refusals(unittest.TestCase):
 
     def test_unknown_format(self):
         with self.assertRaises(mesher.WriteError):
-            mesh_plate().write("/tmp/plate.xyz")
+            mesh_plate().write("plate.xyz")
 
 
 class Files(unittest.TestCase):

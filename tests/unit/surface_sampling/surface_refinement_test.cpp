@@ -44,6 +44,9 @@ Refined refineFrozen(const FaceExample& example, const FaceRefinementOptions& op
     return result;
 }
 
+/// Circumradii are at most the size over sqrt(2), so that edges have it on average.
+constexpr double kLongestOverSize = 1.4142135623730951;
+
 void expectSound(const Refined& refined)
 {
     EXPECT_EQ(refined.check.report.problem, "");
@@ -61,14 +64,14 @@ void expectSoundAndGood(const Refined& refined, double size)
     expectSound(refined);
     EXPECT_EQ(refined.counts.leftForResolution, 0u);
     EXPECT_GE(smallestAngle(refined.mesh), 30.0 - 1e-6);
-    EXPECT_LE(longestEdge(refined.mesh), size * (1.0 + 1e-9));
+    EXPECT_LE(longestEdge(refined.mesh), kLongestOverSize * size * (1.0 + 1e-9));
     EXPECT_GT(longestEdge(refined.mesh), 0.9 * size) << "refined far more than asked";
 }
 
 TEST(SurfaceRefinement, RefinesAPlaneSquareInsideOfAFrozenBoundary)
 {
     FaceRefinementOptions options;
-    options.criteria.maxSize = 0.12;
+    options.criteria.maxSize = 0.12 / kLongestOverSize;
     const Refined refined = refineFrozen(
         gridFace(std::make_shared<PlaneSurface>(PlaneFrame{}), {0.0, 1.0}, {0.0, 1.0}, 10, 10), options);
     expectSound(refined);
@@ -124,7 +127,7 @@ TEST(SurfaceRefinement, MeshesATorusAcrossBothSeams)
 TEST(SurfaceRefinement, FollowsTheCurvatureOfAPatch)
 {
     FaceRefinementOptions options;
-    options.criteria.elementsPerTurn = 40.0;
+    options.criteria.elementsPerTurn = 40.0 * kLongestOverSize;
     const Refined refined = refineFrozen(
         gridFace(std::make_shared<CylinderSurface>(Axes{}, 1.0), {0.0, 0.5 * kPi}, {0.0, 2.0}, 14, 18),
         options);
@@ -162,7 +165,7 @@ TEST(SurfaceRefinement, EndsAtTheBudgetAndGoesOnFromThere)
     EXPECT_EQ(checkFaceMesh(*mesh, geometry).report.problem, "");
     Budget large({}, context);
     EXPECT_EQ(refiner.refine(large), StopReason::Done);
-    EXPECT_LE(longestEdge(*mesh), 0.1);
+    EXPECT_LE(longestEdge(*mesh), 0.1 * kLongestOverSize);
 }
 
 }  // namespace
