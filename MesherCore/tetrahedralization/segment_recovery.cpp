@@ -4,7 +4,7 @@ namespace mesher {
 
 namespace {
 
-constexpr std::uint32_t kTrialsPerDepth[] = {16, 60, 300, 1000};
+constexpr std::uint32_t kTrialsPerDepth[] = {100, 400, 1000, 4000};
 /// Steps that only change what the line passes through, without lessening it, before an edge is given up.
 constexpr int kSidewaysPerDepth[] = {0, 20, 60, 120};
 
@@ -42,6 +42,7 @@ RecoveryStatus SegmentRecovery::findObstacle(VertexId a, VertexId b)
 RecoveryStatus SegmentRecovery::recover(VertexId a, VertexId b, int depth)
 {
     flips_.accept();
+    flips_.allowTrials(kTrialsPerDepth[depth]);
     int sideways = kSidewaysPerDepth[depth];
     RecoveryStatus status = RecoveryStatus::Stuck;
     while (true) {
@@ -54,7 +55,6 @@ RecoveryStatus SegmentRecovery::recover(VertexId a, VertexId b, int depth)
         status = findObstacle(a, b);
         if (status != RecoveryStatus::Stuck) break;
         if (depth > 0) loosenFacets(a, b);
-        flips_.allowTrials(kTrialsPerDepth[depth]);
         const std::uint32_t weight = weigh(found_);
         if (improve(a, b, depth, weight, 0)) continue;
         if (sideways-- <= 0 || !improve(a, b, depth, weight + 1, random_.below(1u << 16))) break;

@@ -494,7 +494,7 @@ SampleSurface randomSurface(std::uint64_t seed, std::string& name)
             break;
         case 3:
             name = "saddle";
-            surface = chazelleSurface(count(1, 5), random.between(0.05, 0.5));
+            surface = chazelleSurface(count(1, 4), random.between(0.05, 0.5));
             break;
         case 4:
             name = "star";
@@ -502,7 +502,7 @@ SampleSurface randomSurface(std::uint64_t seed, std::string& name)
             break;
         case 5:
             name = "torus";
-            surface = torusSurface(count(5, 40), count(4, 20), random.between(0.0, 0.4), random());
+            surface = torusSurface(count(8, 40), count(7, 20), random.between(0.0, 0.2), random());
             break;
         case 6:
             name = "cells";

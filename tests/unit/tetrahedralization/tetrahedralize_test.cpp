@@ -4,6 +4,7 @@
 #include "delaunay/delaunay_check3d.h"
 #include "delaunay/mesh_hash.h"
 #include "support/sample_surfaces.h"
+#include "tetrahedralization/linear_splitter.h"
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,62 @@ Error errorOf(test::SampleSurface sample)
     return result ? Error{} : result.error();
 }
 
+/// Geometry of plane faces and straight edges: splits at the middle, on the exact model.
+class MiddleSplitter final : public SurfaceSplitter
+{
+public:
+    explicit MiddleSplitter(SurfaceMesh& mesh) : mesh_(mesh), linear_(mesh) {}
+
+    [[nodiscard]] const SurfaceMesh& mesh() const override { return mesh_; }
+
+    void evaluateSegment(SegmentId id, SurfaceSplitExtent, SurfaceSplit& split) override
+    {
+        const SurfaceSegment& segment = mesh_.segments[id];
+        split = SurfaceSplit{};
+        split.status = SurfaceSplitStatus::Ready;
+        split.segment = id;
+        split.node.entity = {1, segment.edge.value};
+        split.node.position =
+            0.5 * (mesh_.nodes[segment.node[0]].position + mesh_.nodes[segment.node[1]].position);
+        split.halves = {segment, segment};
+        split.halves[0].node[1] = NodeId();
+        split.halves[1].node[0] = NodeId();
+        for (std::uint32_t i = 0; i < mesh_.facets.size(); ++i) {
+            const SurfaceFacet& facet = mesh_.facets[FacetId(i)];
+            for (unsigned k = 0; facet.isAlive() && k < 3; ++k) {
+                const NodeId a = facet.node[k];
+                const NodeId b = facet.node[(k + 1) % 3];
+                if (unorderedPair(a, b) != unorderedPair(segment.node[0], segment.node[1])) continue;
+                split.removed.push_back(FacetId(i));
+                for (const unsigned replaced : {k, (k + 1) % 3}) {
+                    split.added.push_back(facet);
+                    split.added.back().node[replaced] = NodeId();
+                }
+            }
+        }
+    }
+
+    void evaluateFacet(FacetId id, SurfaceSplitExtent, SurfaceSplit& split) override
+    {
+        const SurfaceFacet& facet = mesh_.facets[id];
+        split = SurfaceSplit{};
+        split.status = SurfaceSplitStatus::Ready;
+        split.node.entity = {2, facet.face.value};
+        split.removed = {id};
+        for (unsigned k = 0; k < 3; ++k) {
+            split.node.position = split.node.position + (1.0 / 3.0) * mesh_.nodes[facet.node[k]].position;
+            split.added.push_back(facet);
+            split.added.back().node[k] = NodeId();
+        }
+    }
+
+    SurfaceSplitResult commit(const SurfaceSplit& split) override { return linear_.commit(split); }
+
+private:
+    SurfaceMesh& mesh_;
+    LinearSplitter linear_;
+};
+
 /// Two tetrahedra apart, the second moved so that they may meet.
 test::SampleSurface twoTets(const Vec3& shift)
 {
@@ -69,6 +126,26 @@ TEST(Tetrahedralize, needsOneVertexForThePolyhedronOfSchoenhardt)
 {
     const TetrahedralizationCounts counts = expectRecovered(test::schoenhardtSurface(std::numbers::pi / 6.0));
     EXPECT_EQ(counts.edgeSteiner + counts.facetSteiner + counts.freeVerticesLeft, 1u);
+}
+
+TEST(Tetrahedralize, asksForPointsOfTheExactGeometryBeforeItMakesItsOwn)
+{
+    for (const bool isSaddle : {false, true}) {
+        test::SampleSurface sample =
+            isSaddle ? test::chazelleSurface(2, 0.3) : test::schoenhardtSurface(std::numbers::pi / 6.0);
+        const std::size_t nodes = sample.mesh.nodes.size();
+        MiddleSplitter splitter(sample.mesh);
+        RunContext context;
+        const auto result = tetrahedralize(splitter, sample.sides, {}, context);
+        ASSERT_TRUE(result) << describe(result.error());
+        EXPECT_TRUE(result->failures.empty());
+        EXPECT_GT(result->counts.exactSplits, 0u);
+        EXPECT_EQ(result->counts.edgeSteiner + result->counts.facetSteiner, 0u);
+        EXPECT_EQ(sample.mesh.nodes.size(), nodes + result->counts.exactSplits);
+        EXPECT_TRUE(checkTopology3d(result->tets.mesh()).isValid());
+        EXPECT_TRUE(checkConstraints(result->tets, sample.mesh).isValid());
+        EXPECT_TRUE(checkRegions(result->tets, sample.mesh, sample.sides).isValid());
+    }
 }
 
 TEST(Tetrahedralize, recoversPolyhedraWithManyReflexEdges)
