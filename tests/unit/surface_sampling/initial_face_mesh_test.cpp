@@ -4,6 +4,7 @@
 #include "brep/analytic/parameter_curves.h"
 #include "brep/analytic/plane_surface.h"
 #include "brep/analytic/solids.h"
+#include "surface_sampling/face_triangulation.h"
 #include "unit/surface_sampling/sampled_model.h"
 
 #include <gtest/gtest.h>
@@ -189,6 +190,25 @@ TEST(InitialSurfaceMesh, NamesTheFaceWhoseLoopsOverlap)
     const auto mesh = initialFaceMesh(model, BrepFaceId(0), *chains, nodes, {});
     ASSERT_FALSE(mesh);
     EXPECT_EQ(mesh.error().entity, "Face1");
+}
+
+TEST(FaceTriangulation, TellsWhereAFaceIsNarrowBesideACurve)
+{
+    OutlinePiece piece;
+    piece.sag = {0.0, 0.1, 0.0};
+    const auto isNarrowUpTo = [&](const Vec3& p) {
+        return FaceTriangulation::isNarrowBeside(piece, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, p);
+    };
+    // The width counts from the curve, on either side of it and across the surface's normal.
+    EXPECT_TRUE(isNarrowUpTo({0.5, 0.29, 0.0}));
+    EXPECT_FALSE(isNarrowUpTo({0.5, 0.31, 0.0}));
+    EXPECT_TRUE(isNarrowUpTo({0.5, -0.09, 0.0}));
+    EXPECT_FALSE(isNarrowUpTo({0.5, -0.11, 0.0}));
+    EXPECT_TRUE(isNarrowUpTo({0.5, 0.0, 0.17}));
+    EXPECT_FALSE(isNarrowUpTo({0.5, 0.0, 0.18}));
+    // Towards its ends the segment nears the curve; beyond them it has no face beside it.
+    EXPECT_FALSE(isNarrowUpTo({0.01, 0.05, 0.0}));
+    EXPECT_FALSE(isNarrowUpTo({1.1, 0.0, 0.0}));
 }
 
 TEST(InitialFaceMesh, MeshesOneFaceAndAppendsItsNodes)
