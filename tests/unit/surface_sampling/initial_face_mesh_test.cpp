@@ -192,6 +192,26 @@ TEST(InitialSurfaceMesh, NamesTheFaceWhoseLoopsOverlap)
     EXPECT_EQ(mesh.error().entity, "Face1");
 }
 
+TEST(FaceOutline, CorrectsParameterCurvesThatRunBesideTheEdge)
+{
+    BrepModel model = *makeCylinder(Axes{}, 1.0, 2.0);
+    BrepCoedge& bottom = model.faces[BrepFaceId(0)].loops[0].coedges[0];
+    bottom.parameterCurve = std::make_shared<LineParameterCurve>(Vec2{0.0, 1e-5}, Vec2{1.0, 0.0});
+    bottom.gap = model.edges[bottom.edge].tolerance = 1e-5;
+    IdVector<NodeId, MeshNode> nodes;
+    const auto chains = sampleCurveChains(model, {}, nodes);
+    ASSERT_TRUE(chains);
+    const auto outline = outlineOf(model, BrepFaceId(0), *chains, nodes);
+    ASSERT_TRUE(outline);
+    std::size_t checked = 0;
+    for (const OutlinePoint& point : outline->points) {
+        if (nodes[point.node].entity != EntityRef{1, bottom.edge.value}) continue;
+        EXPECT_NEAR(point.uv.y, 0.0, 1e-9);
+        ++checked;
+    }
+    EXPECT_EQ(checked, 7u);
+}
+
 TEST(FaceTriangulation, TellsWhereAFaceIsNarrowBesideACurve)
 {
     OutlinePiece piece;

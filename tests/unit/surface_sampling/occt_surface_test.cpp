@@ -206,6 +206,18 @@ TEST(OcctSurfaces, DoNotShareEdgesInsideOfFaces)
     EXPECT_GT(checkSurfaceMesh(sampled.model, sampled.mesh).volumes[BrepSolidId(0)], 0.1 * exact);
 }
 
+TEST(OcctSurfaces, EndFineCurvesInAPole)
+{
+    const TopoDS_Shape cap = BRepPrimAPI_MakeSphere(300.0, 0.474 * kPi, 0.5 * kPi).Shape();
+    for (const double size : {3.0, 0.7}) {
+        const UniformSize field(size);
+        CurveChainOptions options;
+        options.sizes = &field;
+        expectSound({"flat cap", cap}, options);
+        expectSound({"flat cap of splines", BRepBuilderAPI_NurbsConvert(cap).Shape()}, options);
+    }
+}
+
 TEST(OcctSurfaces, KeepsAHoleInsideOfTheRim)
 {
     auto read = readModelFromShape(diskWithHoleAtRim());
