@@ -2,6 +2,7 @@
 
 #include "mesh/region_sides.h"
 #include "pipeline/classify_solids.h"
+#include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
 #include "refinement/refine_volume.h"
@@ -29,28 +30,27 @@ Error notYet(const char* option, const char* what)
     return {ErrorCode::InvalidArgument, what, option, {}, "leave the option out"};
 }
 
-/// One run: each step returns whether the next one may follow.
+/// Meshes one component: each step returns whether the next one may follow.
 class SolidRun
 {
 public:
-    SolidRun(const BrepModel& model, const MeshOptions& options, RunContext& context)
-        : model_(model), options_(options), context_(context), start_(Clock::now())
+    SolidRun(const BrepModel& model, const MeshOptions& options, std::shared_ptr<const SizingField> sizes,
+             RunContext& context, Clock::time_point start)
+        : model_(model), options_(options), context_(context), start_(start), sizes_(std::move(sizes))
     {
         report().options = options;
     }
 
-    MeshOutcome meshSolids(std::shared_ptr<const SizingField> fromFiles)
+    MeshOutcome meshSolids()
     {
-        if (checkModel() && prepare(std::move(fromFiles)) && sample() && tetrahedralizeSample() && refine())
-            classify();
+        if (findSides() && sample() && tetrahedralizeSample() && refine())
+            outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
         return std::move(outcome_);
     }
 
-    MeshOutcome meshFaces(std::shared_ptr<const SizingField> fromFiles)
+    MeshOutcome meshFaces()
     {
-        if (!prepare(std::move(fromFiles)) || !sample()) return std::move(outcome_);
-        outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
-        finish();
+        if (findSides() && sample()) outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
         return std::move(outcome_);
     }
 
@@ -63,33 +63,11 @@ private:
         return false;
     }
 
-    bool checkModel()
+    bool findSides()
     {
-        if (model_.solids.empty()) {
-            return failed({ErrorCode::InvalidArgument, "has no solid", "model", {},
-                           "close its shell, or mesh its faces with --dimension 2"});
-        }
-        for (std::uint32_t i = 0; i < model_.solids.size(); ++i) {
-            for (const BrepShell& shell : model_.solids[BrepSolidId(i)].shells) {
-                if (shell.isClosed) continue;
-                const std::string face =
-                    shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
-                return failed({ErrorCode::InvalidArgument, "has an open shell, that of " + face,
-                               nameOf(BrepSolidId(i)), {}, "close the shell, or mesh its faces with --dimension 2"});
-            }
-        }
-        return true;
-    }
-
-    bool prepare(std::shared_ptr<const SizingField> fromFiles)
-    {
-        if (options_.order != 1) return failed(notYet("--order 2", "is not yet there for solids and faces in space"));
         Result<RegionSides> sides = regionSidesOf(model_);
         if (!sides) return failed(sides.error());
         sides_ = std::move(sides).value();
-        Result<std::shared_ptr<const SizingField>> sizes = solidSizes(model_, options_, std::move(fromFiles));
-        if (!sizes) return failed(sizes.error());
-        sizes_ = std::move(sizes).value();
         return true;
     }
 
@@ -192,18 +170,6 @@ private:
         add("tets_left_beside_small_angles", refined.leftForSmallAngles);
     }
 
-    void classify()
-    {
-        outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
-        finish();
-    }
-
-    void finish()
-    {
-        describeMesh(*outcome_.mesh, report());
-        if (options_.isChecked) checkWhole(*outcome_.mesh, report());
-    }
-
     bool mayGoOn(StopReason reason)
     {
         if (reason == StopReason::Done || reason == StopReason::CannotImprove) return true;
@@ -235,18 +201,118 @@ private:
     MeshOutcome outcome_;
 };
 
+Result<void> checkSolids(const BrepModel& model)
+{
+    if (model.solids.empty()) {
+        return Error{ErrorCode::InvalidArgument,
+                     "has no solid",
+                     "model",
+                     {},
+                     "close its shell, or mesh its faces with --dimension 2"};
+    }
+    for (std::uint32_t i = 0; i < model.solids.size(); ++i) {
+        for (const BrepShell& shell : model.solids[BrepSolidId(i)].shells) {
+            if (shell.isClosed) continue;
+            const std::string face =
+                shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
+            return Error{ErrorCode::InvalidArgument, "has an open shell, that of " + face,
+                         nameOf(BrepSolidId(i)), {}, "close the shell, or mesh its faces with --dimension 2"};
+        }
+    }
+    return {};
+}
+
+Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, const MeshOptions& options,
+                                                        std::shared_ptr<const SizingField> fromFiles)
+{
+    if (options.order != 1) return notYet("--order 2", "is not yet there for solids and faces in space");
+    return solidSizes(model, options, std::move(fromFiles));
+}
+
+void addTo(std::vector<std::pair<std::string, std::uint64_t>>& counts, const std::string& name,
+           std::uint64_t count)
+{
+    const auto found = std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == name; });
+    if (found == counts.end()) {
+        counts.emplace_back(name, count);
+    } else {
+        found->second += count;
+    }
+}
+
+void addTo(std::vector<std::pair<std::string, double>>& seconds, const std::string& name, double spent)
+{
+    const auto found = std::find_if(seconds.begin(), seconds.end(), [&](const auto& s) { return s.first == name; });
+    if (found == seconds.end()) {
+        seconds.emplace_back(name, spent);
+    } else {
+        found->second += spent;
+    }
+}
+
+/// Adds what a component's run did to the report of the whole, with the names of the whole.
+void addReport(const ModelComponent& component, const MeshReport& part, MeshReport& whole)
+{
+    for (const auto& [name, count] : part.counts) addTo(whole.counts, name, count);
+    for (const auto& [name, spent] : part.seconds) addTo(whole.seconds, name, spent);
+    for (Error error : part.failures) {
+        error.entity = component.inWhole(error.entity);
+        error.message = component.inWhole(error.message);
+        whole.failures.push_back(std::move(error));
+    }
+    if (part.status == MeshReport::Status::Cancelled || whole.status == MeshReport::Status::Done)
+        whole.status = part.status;
+    if (whole.stopReason == StopReason::Done) whole.stopReason = part.stopReason;
+}
+
+void finish(const MeshOptions& options, MeshOutcome& outcome)
+{
+    if (!outcome.mesh) return;
+    describeMesh(*outcome.mesh, outcome.report);
+    if (options.isChecked) checkWhole(*outcome.mesh, outcome.report);
+}
+
+MeshOutcome refused(const MeshOptions& options, const Error& error)
+{
+    MeshOutcome outcome;
+    outcome.report.options = options;
+    fail(outcome.report, error);
+    return outcome;
+}
+
 }  // namespace
 
 MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
                        std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
-    return SolidRun(model, options, context).meshSolids(std::move(fromFiles));
+    const Clock::time_point start = Clock::now();
+    if (const Result<void> sound = checkSolids(model); !sound) return refused(options, sound.error());
+    const auto sizes = prepareSizes(model, options, std::move(fromFiles));
+    if (!sizes) return refused(options, sizes.error());
+    MeshOutcome whole;
+    whole.report.options = options;
+    ClassifiedMesh mesh;
+    bool isWhole = true;
+    for (const ModelComponent& component : solidComponents(model)) {
+        const MeshOutcome part = SolidRun(component.model, options, sizes.value(), context, start).meshSolids();
+        addReport(component, part.report, whole.report);
+        if (part.mesh) appendComponent(component, *part.mesh, mesh);
+        isWhole = isWhole && part.mesh.has_value();
+        if (whole.report.status == MeshReport::Status::Cancelled) return whole;
+    }
+    if (isWhole) whole.mesh = std::move(mesh);
+    finish(options, whole);
+    return whole;
 }
 
 MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,
                       std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
-    return SolidRun(model, options, context).meshFaces(std::move(fromFiles));
+    const auto sizes = prepareSizes(model, options, std::move(fromFiles));
+    if (!sizes) return refused(options, sizes.error());
+    MeshOutcome outcome = SolidRun(model, options, sizes.value(), context, Clock::now()).meshFaces();
+    finish(options, outcome);
+    return outcome;
 }
 
 }  // namespace mesher

@@ -4,6 +4,7 @@
 #include "brep/analytic/parameter_curves.h"
 #include "brep/analytic/plane_surface.h"
 #include "brep/analytic/solids.h"
+#include "surface_sampling/face_triangulation.h"
 #include "unit/surface_sampling/sampled_model.h"
 
 #include <gtest/gtest.h>
@@ -189,6 +190,45 @@ TEST(InitialSurfaceMesh, NamesTheFaceWhoseLoopsOverlap)
     const auto mesh = initialFaceMesh(model, BrepFaceId(0), *chains, nodes, {});
     ASSERT_FALSE(mesh);
     EXPECT_EQ(mesh.error().entity, "Face1");
+}
+
+TEST(FaceOutline, CorrectsParameterCurvesThatRunBesideTheEdge)
+{
+    BrepModel model = *makeCylinder(Axes{}, 1.0, 2.0);
+    BrepCoedge& bottom = model.faces[BrepFaceId(0)].loops[0].coedges[0];
+    bottom.parameterCurve = std::make_shared<LineParameterCurve>(Vec2{0.0, 1e-5}, Vec2{1.0, 0.0});
+    bottom.gap = model.edges[bottom.edge].tolerance = 1e-5;
+    IdVector<NodeId, MeshNode> nodes;
+    const auto chains = sampleCurveChains(model, {}, nodes);
+    ASSERT_TRUE(chains);
+    const auto outline = outlineOf(model, BrepFaceId(0), *chains, nodes);
+    ASSERT_TRUE(outline);
+    std::size_t checked = 0;
+    for (const OutlinePoint& point : outline->points) {
+        if (nodes[point.node].entity != EntityRef{1, bottom.edge.value}) continue;
+        EXPECT_NEAR(point.uv.y, 0.0, 1e-9);
+        ++checked;
+    }
+    EXPECT_EQ(checked, 7u);
+}
+
+TEST(FaceTriangulation, TellsWhereAFaceIsNarrowBesideACurve)
+{
+    OutlinePiece piece;
+    piece.sag = {0.0, 0.1, 0.0};
+    const auto isNarrowUpTo = [&](const Vec3& p) {
+        return FaceTriangulation::isNarrowBeside(piece, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, p);
+    };
+    // The width counts from the curve, on either side of it and across the surface's normal.
+    EXPECT_TRUE(isNarrowUpTo({0.5, 0.29, 0.0}));
+    EXPECT_FALSE(isNarrowUpTo({0.5, 0.31, 0.0}));
+    EXPECT_TRUE(isNarrowUpTo({0.5, -0.09, 0.0}));
+    EXPECT_FALSE(isNarrowUpTo({0.5, -0.11, 0.0}));
+    EXPECT_TRUE(isNarrowUpTo({0.5, 0.0, 0.17}));
+    EXPECT_FALSE(isNarrowUpTo({0.5, 0.0, 0.18}));
+    // Towards its ends the segment nears the curve; beyond them it has no face beside it.
+    EXPECT_FALSE(isNarrowUpTo({0.01, 0.05, 0.0}));
+    EXPECT_FALSE(isNarrowUpTo({1.1, 0.0, 0.0}));
 }
 
 TEST(InitialFaceMesh, MeshesOneFaceAndAppendsItsNodes)

@@ -89,6 +89,14 @@ TopoDS_Shape roundedCylinder()
     return fillet.Shape();
 }
 
+/// Two flat caps on one circle, without a seam or pole in either.
+TopoDS_Shape lens()
+{
+    const gp_Pnt left(-1.379, -1.379, 0.0), right(1.379, 1.379, 0.0);
+    return BRepAlgoAPI_Common(BRepPrimAPI_MakeSphere(left, 2.0).Shape(),
+                              BRepPrimAPI_MakeSphere(right, 2.0).Shape());
+}
+
 TopoDS_Shape wedge(double degrees)
 {
     const double angle = degrees * kPi / 180.0;
@@ -103,6 +111,7 @@ std::vector<NamedShape> hardModels()
     const gp_Ax2 oblique(gp_Pnt(0.0, 0.0, -3.0), gp_Dir(0.3, 0.2, 1.0));
     return {{"loft", loft()},
             {"thin ring", thinRing()},
+            {"lens", lens()},
             {"hole at the rim", diskWithHoleAtRim()},
             {"wedge of 3 degrees", wedge(3.0)},
             {"wedge of 40 degrees", wedge(40.0)},
@@ -170,6 +179,43 @@ TEST(OcctSurfaces, SplitCurvesThatAreCoarseBesideAThinFace)
     EXPECT_GT(sampled.initial.segmentSplits, 16u);
     const double exact = kPi * (100.0 - 96.04) * 0.2;
     EXPECT_NEAR(checkSurfaceMesh(sampled.model, sampled.mesh).volumes[BrepSolidId(0)], exact, 0.4 * exact);
+}
+
+TEST(OcctSurfaces, HaveTheAreaOfNarrowFillets)
+{
+    // Eight segments of the rim have a sag of three widths of the fillet.
+    auto read = readModelFromShape(roundedCylinder());
+    ASSERT_TRUE(read);
+    SampledModel sampled;
+    test::sampleInto(sampled, std::move(read->model));
+    for (const FaceCheck& face : checkSurfaceMesh(sampled.model, sampled.mesh).faces) {
+        EXPECT_NEAR(face.area, face.exactArea, 0.2 * face.exactArea);
+    }
+}
+
+TEST(OcctSurfaces, DoNotShareEdgesInsideOfFaces)
+{
+    auto read = readModelFromShape(lens());
+    ASSERT_TRUE(read);
+    SampledModel sampled;
+    test::sampleInto(sampled, std::move(read->model));
+    ASSERT_EQ(sampled.model.faces.size(), 2u);
+    const double height = 2.0 - std::hypot(1.379, 1.379);
+    const double exact = 2.0 * kPi * height * height * (6.0 - height) / 3.0;
+    // Both caps on the same triangles would enclose nothing.
+    EXPECT_GT(checkSurfaceMesh(sampled.model, sampled.mesh).volumes[BrepSolidId(0)], 0.1 * exact);
+}
+
+TEST(OcctSurfaces, EndFineCurvesInAPole)
+{
+    const TopoDS_Shape cap = BRepPrimAPI_MakeSphere(300.0, 0.474 * kPi, 0.5 * kPi).Shape();
+    for (const double size : {3.0, 0.7}) {
+        const UniformSize field(size);
+        CurveChainOptions options;
+        options.sizes = &field;
+        expectSound({"flat cap", cap}, options);
+        expectSound({"flat cap of splines", BRepBuilderAPI_NurbsConvert(cap).Shape()}, options);
+    }
 }
 
 TEST(OcctSurfaces, KeepsAHoleInsideOfTheRim)
