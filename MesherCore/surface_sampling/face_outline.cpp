@@ -19,36 +19,6 @@ constexpr double kPoleTurn = 0.5236;
 // Ends of parameter curves that are one but for rounding, relative to the outline's size.
 constexpr double kRoundingShare = 1e-9;
 
-}  // namespace
-
-FaceScaling::FaceScaling(const BrepFace& face)
-{
-    constexpr int kSteps = 5;
-    constexpr double kSlightSkew = 0.1;
-    double e = 0.0, f = 0.0, g = 0.0;
-    for (int i = 0; i < kSteps; ++i) {
-        for (int j = 0; j < kSteps; ++j) {
-            const SurfacePoint p = face.surface->evaluate(
-                {face.boundsU.at((i + 0.5) / kSteps), face.boundsV.at((j + 0.5) / kSteps)});
-            e += squaredLength(p.du);
-            f += dot(p.du, p.dv);
-            g += squaredLength(p.dv);
-        }
-    }
-    constexpr double kCount = kSteps * kSteps;
-    // A direction of no length at all keeps a scale, or points would coincide.
-    const double least = 1e-12 * std::max(e, g);
-    e = std::max(e, least) / kCount;
-    g = std::max(g, least) / kCount;
-    f /= kCount;
-    if (!(e > 0.0)) return;
-    xu_ = std::sqrt(e);
-    if (std::abs(f) > kSlightSkew * std::sqrt(e * g)) xv_ = f / xu_;
-    yv_ = std::sqrt(std::max(g - xv_ * xv_, 0.01 * g));
-}
-
-namespace {
-
 /// A coedge's chain in the parameters, in the direction of the loop.
 struct Strand
 {
@@ -137,7 +107,7 @@ private:
         const double gap = length(face_.surface->position(uv) - position);
         if (!(gap > kExact)) return uv;
         const SurfaceProjection closest = face_.surface->project(position, uv);
-        return closest.distance < 0.5 * gap ? closest.parameters : uv;
+        return closest.distance < 0.9 * gap ? closest.parameters : uv;
     }
 
     Strand poleAlong(const BrepCoedge& coedge) const

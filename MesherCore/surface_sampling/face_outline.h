@@ -3,28 +3,12 @@
 #include "base/result.h"
 #include "brep/brep_model.h"
 #include "surface_sampling/curve_chains.h"
+#include "surface_sampling/face_scaling.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace mesher {
-
-/// A linear map of a surface's parameters after which their plane measures about as the surface does, on average over a face.
-class FaceScaling
-{
-public:
-    FaceScaling() = default;
-    /// From the mean first fundamental form over the bounds of the face.
-    explicit FaceScaling(const BrepFace& face);
-
-    [[nodiscard]] Vec2 toPlane(Vec2 uv) const { return {xu_ * uv.x + xv_ * uv.y, yv_ * uv.y}; }
-
-private:
-    double xu_ = 1.0;
-    double xv_ = 0.0;
-    double yv_ = 1.0;
-};
 
 /// An image of a node in the parameters of a face. A seam's nodes have two, a pole has several.
 struct OutlinePoint

@@ -140,6 +140,7 @@ private:
         if (!departure.isBad) return;
         const bool isAtPole = corner(t, 0).isPole || corner(t, 1).isPole || corner(t, 2).isPole;
         if (phase_ != Phase::Points && (isAtPole || departure.isInside)) return postpone(t);
+        if (ringPole(t)) return;
         if (levelPole(t)) {
             // It may not be one of the triangles that the new image changed.
             enqueue(t);
@@ -215,6 +216,22 @@ private:
         t_.tooCoarse.push_back(segment);
         if (phase_ == Phase::Points) phase_ = Phase::Named;
         return true;
+    }
+
+    /// Where a triangle at a pole has two corners on about the same way to the pole, it is flat in space: inserts a point level
+    /// with the pole's image and as far from the pole as the nearer corner, the next one of a ring around the pole.
+    bool ringPole(TriangleId t)
+    {
+        for (unsigned i = 0; i < 3; ++i) {
+            const FacePoint pole = corner(t, i);
+            const FacePoint &a = corner(t, nextCorner(i)), &b = corner(t, previousCorner(i));
+            if (!pole.isPole || a.isPole || b.isPole) continue;
+            const bool isANearer = length(a.position - pole.position) < length(b.position - pole.position);
+            const FacePoint& nearer = isANearer ? a : b;
+            return insertAt(pole.isPoleAlongU ? Vec2{pole.uv.x, nearer.uv.y} : Vec2{nearer.uv.x, pole.uv.y},
+                            t);
+        }
+        return false;
     }
 
     /// A triangle at a pole is lifted to what lies between its other corners, not to what it covers in the plane: brings an

@@ -81,12 +81,12 @@ EdgeLink FacetSplitter::nearestSide(TriangleId t, const Vec3& point) const
     return nearest;
 }
 
-bool FacetSplitter::isLargerThanCurvature(TriangleId t) const
+/// The least of the corners.
+double FacetSplitter::squaredCurvatureRadius(TriangleId t) const
 {
-    const FaceTriangle& record = mesh_.triangle(t);
     double radius = std::numeric_limits<double>::infinity();
-    for (const VertexId v : record.v) radius = std::min(radius, mesh_.vertex(v).curvatureRadius);
-    return shapeOf(mesh_, t).squaredRadius > radius * radius;
+    for (const VertexId v : mesh_.triangle(t).v) radius = std::min(radius, mesh_.vertex(v).curvatureRadius);
+    return radius * radius;
 }
 
 std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
@@ -115,11 +115,14 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
     return facts;
 }
 
-FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, bool mayHalve)
+FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetNeed need)
 {
     encroached_.clear();
+    const FacetShape shape = shapeOf(mesh_, t);
+    const double curvature = squaredCurvatureRadius(t);
+    const bool mayHalve = need == FacetNeed::Size || 4.0 * shape.squaredSide[shape.longest] > curvature;
     const auto halve = [&] { return mayHalve ? evaluateLongestEdge(t, extent) : FacetSplitStatus::NotFound; };
-    if (mayHalve && isLargerThanCurvature(t)) return evaluateLongestEdge(t, extent);
+    if (need == FacetNeed::Size && shape.squaredRadius > curvature) return evaluateLongestEdge(t, extent);
     const std::optional<SurfaceFacts> centre = findCentre(t);
     if (!centre) return halve();
     const FaceWalk walk = walkToPoint(mesh_, geometry_, t, centre->position);

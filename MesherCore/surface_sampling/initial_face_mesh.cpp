@@ -115,21 +115,31 @@ enum class ShapeOutcome
     Inseparable
 };
 
+struct Shaping
+{
+    ShapeOutcome outcome = ShapeOutcome::Done;
+    std::size_t leftAlone = 0;
+};
+
 /// Refines by turns until the facets follow the surface and each of their sides is one of its own.
-ShapeOutcome shapeFace(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
-                       const InitialFaceMeshOptions& options,
-                       std::span<const std::pair<NodeId, NodeId>> taken, FaceTriangulation& t)
+Shaping shapeFace(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
+                  const InitialFaceMeshOptions& options, std::span<const std::pair<NodeId, NodeId>> taken,
+                  FaceTriangulation& t)
 {
     constexpr int kMostTurns = 40;
-    if (!t.tooCoarse.empty()) return ShapeOutcome::Done;
+    Shaping shaping;
+    if (!t.tooCoarse.empty()) return shaping;
     const bool isCurved = face.surface->kind() != SurfaceKind::Plane;
     if (isCurved) seedFace(face, t);
     for (int turn = 0; turn < kMostTurns; ++turn) {
-        if (isCurved && !followSurface(face, outline, chains, options, t).isComplete)
-            return ShapeOutcome::TooManyPoints;
-        if (!t.tooCoarse.empty() || !separateSides(face, outline, taken, t)) return ShapeOutcome::Done;
+        if (isCurved) {
+            const FaceRefinement refined = followSurface(face, outline, chains, options, t);
+            shaping.leftAlone = refined.givenUp;
+            if (!refined.isComplete) return {ShapeOutcome::TooManyPoints, refined.givenUp};
+        }
+        if (!t.tooCoarse.empty() || !separateSides(face, outline, taken, t)) return shaping;
     }
-    return ShapeOutcome::Inseparable;
+    return {ShapeOutcome::Inseparable, shaping.leftAlone};
 }
 
 Error unshaped(BrepFaceId face, const FaceTriangulation& t, ShapeOutcome outcome)
@@ -140,7 +150,8 @@ Error unshaped(BrepFaceId face, const FaceTriangulation& t, ShapeOutcome outcome
     error.message = outcome == ShapeOutcome::TooManyPoints
                         ? "its facets do not follow the surface within the budget of points"
                         : "its facets stay joined where the face is not";
-    error.point = t.points[VertexId(0)].position;
+    // The last vertex is where the work went on.
+    error.point = t.points[VertexId(static_cast<std::uint32_t>(t.points.size() - 1))].position;
     error.remedy = "smooth the surface or split the face";
     return error;
 }
@@ -156,21 +167,24 @@ Result<InitialFaceMesh> triangulateFace(const BrepModel& model, BrepFaceId face,
     if (!outline) return outline.error();
     auto triangulation = triangulateOutline(model, face, chains, nodes, *outline);
     if (!triangulation) return triangulation.error();
-    const auto shaped = shapeFace(model.faces[face], *outline, chains, options, taken, *triangulation);
-    if (shaped != ShapeOutcome::Done) return unshaped(face, *triangulation, shaped);
+    const Shaping shaping = shapeFace(model.faces[face], *outline, chains, options, taken, *triangulation);
+    if (shaping.outcome != ShapeOutcome::Done) return unshaped(face, *triangulation, shaping.outcome);
     if (!triangulation->tooCoarse.empty()) {
         InitialFaceMesh coarse;
         coarse.tooCoarse = std::move(triangulation->tooCoarse);
         return coarse;
     }
-    return FaceLifter(face, *triangulation, firstInteriorNode).run(*outline);
+    auto mesh = FaceLifter(face, *triangulation, firstInteriorNode).run(*outline);
+    if (mesh) mesh->leftAlone = shaping.leftAlone;
+    return mesh;
 }
 
 Result<std::vector<SurfaceFacet>> initialFaceMesh(const BrepModel& model, BrepFaceId face,
                                                   CurveChains& chains, IdVector<NodeId, MeshNode>& nodes,
                                                   const InitialFaceMeshOptions& options)
 {
-    for (int round = 0; round < options.maxRounds; ++round) {
+    Vec3 last;
+    for (int round = 0; round < options.maxSplitsInSeries; ++round) {
         const NodeId first(static_cast<std::uint32_t>(nodes.size()));
         auto mesh = triangulateFace(model, face, chains, nodes, first, options);
         if (!mesh) return mesh.error();
@@ -179,21 +193,20 @@ Result<std::vector<SurfaceFacet>> initialFaceMesh(const BrepModel& model, BrepFa
             return std::move(mesh->facets);
         }
         for (const SegmentId s : mesh->tooCoarse) {
-            if (chains.isAlive(s)) chains.split(s, nodes);
+            if (const auto split = chains.split(s, nodes)) last = nodes[split->node].position;
         }
     }
-    return chainsTooCoarse(model, face, options.maxRounds);
+    return chainsTooCoarse(face, last, options.maxSplitsInSeries);
 }
 
-Error chainsTooCoarse(const BrepModel& model, BrepFaceId face, int rounds)
+Error chainsTooCoarse(BrepFaceId face, const Vec3& point, int rounds)
 {
     Error error;
     error.code = ErrorCode::DegenerateInput;
     error.entity = nameOf(face);
     error.message = "its edges are too close to each other to be told apart in " + std::to_string(rounds) +
                     " rounds of splits";
-    error.point = model.faces[face].surface->position(
-        {model.faces[face].boundsU.at(0.5), model.faces[face].boundsV.at(0.5)});
+    error.point = point;
     error.remedy = "repair the face, or merge its small edges";
     return error;
 }

@@ -46,6 +46,8 @@ struct InitialFaceMesh
     NodeId firstInteriorNode;
     /// In the order of the loops; a seam's segments come twice, the two images glued through the same nodes.
     std::vector<FaceBoundaryPiece> boundary;
+    /// Facets that depart from the surface by more than the option allows, and are too small to be split.
+    std::size_t leftAlone = 0;
     /// Not empty: the chains are too coarse for the face. Split these and try again; there are no facets then.
     std::vector<SegmentId> tooCoarse;
 };
@@ -54,7 +56,8 @@ struct InitialFaceMesh
 /// triangulation of the loops, refined by points inside until facets follow the surface. `taken` are edges of other faces,
 /// pairs in ascending order, which no free edge of this face may be.
 /// Guarantees   facets are counter-clockwise about du x dv, conforming through the nodes, also across a seam and around a
-///              pole; their normals keep to the option at corners, at centres and in the middle of sides
+///              pole; their normals keep to the option at corners, at centres and in the middle of sides, but
+///              for `leftAlone` of them, and to 90 degrees at corners always
 /// Refuses      loops that cross each other or themselves wherever the chains are fine, loops that enclose nothing: an Error
 ///              that names the face, the place and a remedy
 /// Terminates   by the options' budgets and the chains' floors
@@ -73,7 +76,7 @@ triangulateFace(const BrepModel& model, BrepFaceId face, const CurveChains& chai
                                                                 const InitialFaceMeshOptions& options);
 
 /// That a face could not be meshed although its segments were split that many times.
-[[nodiscard]] Error chainsTooCoarse(const BrepModel& model, BrepFaceId face, int rounds);
+[[nodiscard]] Error chainsTooCoarse(BrepFaceId face, const Vec3& point, int rounds);
 
 /// The faces of a model that have a mesh, and the reasons why others have none.
 struct InitialSurfaceMesh

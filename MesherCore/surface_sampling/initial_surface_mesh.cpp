@@ -66,12 +66,21 @@ private:
         if (coarse.empty()) return;
         if (++namings_[f] > options_.maxSplitsInSeries) {
             // Further splits for its sake would only spoil its neighbours.
-            errors_[f] = chainsTooCoarse(model_, f, options_.maxSplitsInSeries);
+            errors_[f] = chainsTooCoarse(f, placeOf(f), options_.maxSplitsInSeries);
             isGivenUp_[f] = 1;
             return;
         }
         proposals.insert(proposals.end(), coarse.begin(), coarse.end());
         isStale_[f] = 1;
+    }
+
+    /// A segment that the face named, or a vertex of its.
+    [[nodiscard]] Vec3 placeOf(BrepFaceId f) const
+    {
+        const auto& coarse = result_.faces[f].tooCoarse;
+        if (!coarse.empty()) return nodes_[chains_.segments()[coarse.front()].node[0]].position;
+        const BrepEdgeId edge = model_.faces[f].loops.front().coedges.front().edge;
+        return model_.vertices[model_.edges[edge].first].position;
     }
 
     void split(std::vector<SegmentId>& proposals)
@@ -144,7 +153,9 @@ private:
         for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
             const BrepFaceId f(i);
             InitialFaceMesh& mesh = result_.faces[f];
-            if (!errors_[f] && isStale_[f] != 0) errors_[f] = chainsTooCoarse(model_, f, options_.maxRounds);
+            if (!errors_[f] && isStale_[f] != 0) {
+                errors_[f] = chainsTooCoarse(f, placeOf(f), options_.maxRounds);
+            }
             if (errors_[f]) {
                 result_.failures.emplace_back(f, *errors_[f]);
                 mesh.facets.clear();

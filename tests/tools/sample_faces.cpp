@@ -9,9 +9,9 @@
 
 #include <sys/resource.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <map>
 #include <string>
 #include <string_view>
@@ -65,15 +65,27 @@ void tell(const Settings& settings, Totals& totals, const std::string& entity, c
     if (settings.listsFaces) std::printf("    %s: %s\n", entity.c_str(), reason.c_str());
 }
 
-void sample(const Settings& settings, const char* path, Totals& totals)
+/// One line for each face that failed, and the reasons counted.
+void tellFailures(const Settings& settings, const mesher::InitialSurfaceMesh& initial,
+                  const mesher::SurfaceCheck& check, Totals& totals)
 {
-    ++totals.models;
-    const auto read = mesher::readModel(path);
-    if (!read) {
-        std::printf("refused %s: %s\n", path, mesher::describe(read.error()).c_str());
-        return;
+    std::vector<bool> hasError(check.faces.size(), false);
+    for (const auto& [face, error] : initial.failures) {
+        hasError[face.value] = true;
+        tell(settings, totals, error.entity, mesher::describe(error));
     }
-    const mesher::BrepModel& model = read->model;
+    for (std::uint32_t f = 0; f < check.faces.size(); ++f) {
+        const mesher::CheckReport& report = check.faces[mesher::BrepFaceId(f)].report;
+        if (!report.isValid() && !hasError[f])
+            tell(settings, totals, nameOf(mesher::BrepFaceId(f)), report.problem);
+    }
+    if (!check.nodes.isValid()) tell(settings, totals, "nodes", check.nodes.problem);
+    if (!check.shells.isValid() && initial.failures.empty())
+        tell(settings, totals, "shells", check.shells.problem);
+}
+
+void sampleModel(const Settings& settings, const char* path, const mesher::BrepModel& model, Totals& totals)
+{
     totals.faces += model.faces.size();
     const double start = userSeconds();
     const mesher::UniformSize size(settings.size);
@@ -91,33 +103,28 @@ void sample(const Settings& settings, const char* path, Totals& totals)
     const double meshed = userSeconds();
     const mesher::SurfaceMesh mesh = mesher::assembleSurfaceMesh(*chains, nodes, initial);
     const mesher::SurfaceCheck check = mesher::checkSurfaceMesh(model, mesh);
-    std::size_t valid = 0;
-    std::vector<const mesher::Error*> errors(model.faces.size(), nullptr);
-    for (const auto& [face, error] : initial.failures) errors[face.value] = &error;
-    const bool isSound = check.isValid();
-    valid = 0;
+    std::size_t valid = 0, leftAlone = 0;
     for (const mesher::FaceCheck& face : check.faces) valid += face.report.isValid() ? 1 : 0;
-    std::printf("%s %s: %zu of %zu faces, %zu facets, %zu segments, %zu splits, %d rounds, %zu complexes, "
-                "curves %.3f s, faces %.3f s\n",
-                isSound ? "sound  " : "BROKEN ", path, valid, model.faces.size(), mesh.facets.size(),
-                chains->aliveCount(), initial.segmentSplits, initial.rounds, chains->smallAngles().size(),
-                chained - start, meshed - chained);
-    for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
-        const mesher::FaceCheck& face = check.faces[mesher::BrepFaceId(f)];
-        if (errors[f] != nullptr) {
-            tell(settings, totals, errors[f]->entity, mesher::describe(*errors[f]));
-        } else if (!face.report.isValid()) {
-            tell(settings, totals, "", face.report.problem);
-        }
-    }
-    if (!check.nodes.isValid()) tell(settings, totals, "nodes", check.nodes.problem);
-    if (!check.shells.isValid() && initial.failures.empty())
-        tell(settings, totals, "shells", check.shells.problem);
+    for (const mesher::InitialFaceMesh& face : initial.faces) leftAlone += face.leftAlone;
+    std::printf("%s %s: %zu of %zu faces, %zu facets (%zu left alone), %zu segments, %zu splits, %d rounds, "
+                "%zu complexes, curves %.3f s, faces %.3f s\n",
+                check.isValid() ? "sound  " : "BROKEN ", path, valid, model.faces.size(), mesh.facets.size(),
+                leftAlone, chains->aliveCount(), initial.segmentSplits, initial.rounds,
+                chains->smallAngles().size(), chained - start, meshed - chained);
+    tellFailures(settings, initial, check, totals);
     totals.validFaces += valid;
-    totals.soundModels += isSound ? 1 : 0;
+    totals.soundModels += check.isValid() ? 1 : 0;
     totals.facets += mesh.facets.size();
     totals.seconds += meshed - chained;
     std::fflush(stdout);
+}
+
+void sample(const Settings& settings, const char* path, Totals& totals)
+{
+    ++totals.models;
+    const auto read = mesher::readModel(path);
+    if (read) return sampleModel(settings, path, read->model, totals);
+    std::printf("refused %s: %s\n", path, mesher::describe(read.error()).c_str());
 }
 
 }  // namespace

@@ -1,0 +1,192 @@
+#include "brep/occt/read_model.h"
+#include "sizing/uniform_size.h"
+#include "unit/brep/occt_models.h"
+#include "unit/surface_sampling/sampled_model.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mesher {
+namespace {
+
+using test::SampledModel;
+using NamedShape = std::pair<std::string, TopoDS_Shape>;
+
+constexpr double kPi = std::numbers::pi;
+
+TopoDS_Wire circleAt(double x, double z, double radius)
+{
+    const gp_Circ circle(gp_Ax2(gp_Pnt(x, 0.0, z), gp_Dir(0.0, 0.0, 1.0)), radius);
+    return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle).Edge());
+}
+
+TopoDS_Shape loft()
+{
+    BRepOffsetAPI_ThruSections sections(true, false);
+    sections.AddWire(circleAt(0.0, 0.0, 1.0));
+    sections.AddWire(circleAt(0.5, 1.0, 0.4));
+    sections.AddWire(circleAt(-0.5, 2.0, 1.2));
+    sections.AddWire(circleAt(0.0, 3.0, 0.6));
+    return sections.Shape();
+}
+
+/// A thin ring whose radii differ by much less than the sag of eight segments, which begin elsewhere inside than outside.
+TopoDS_Shape thinRing()
+{
+    const double angle = kPi / 8.0;
+    const gp_Ax2 turned(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(0.0, 0.0, 1.0),
+                        gp_Dir(std::cos(angle), std::sin(angle), 0.0));
+    return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(10.0, 0.2).Shape(),
+                           BRepPrimAPI_MakeCylinder(turned, 9.8, 0.2).Shape());
+}
+
+/// A hole so near to the rim that it lies outside of the rim's first segments.
+TopoDS_Shape diskWithHoleAtRim()
+{
+    const double angle = kPi / 8.0;
+    const gp_Ax2 axis(gp_Pnt(9.7 * std::cos(angle), 9.7 * std::sin(angle), -1.0), gp_Dir(0.0, 0.0, 1.0));
+    return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(10.0, 1.0).Shape(),
+                           BRepPrimAPI_MakeCylinder(axis, 0.2, 3.0).Shape());
+}
+
+TopoDS_Shape roundedCylinder()
+{
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(2.0, 1.0).Shape();
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(cylinder, TopAbs_EDGE, edges);
+    BRepFilletAPI_MakeFillet fillet(cylinder);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+        const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+        if (BRepAdaptor_Curve(edge).GetType() == GeomAbs_Circle) fillet.Add(0.05, edge);
+    }
+    return fillet.Shape();
+}
+
+TopoDS_Shape wedge(double degrees)
+{
+    const double angle = degrees * kPi / 180.0;
+    const TopoDS_Wire outline = test::polygon({gp_Pnt(0.0, 0.0, 0.0), gp_Pnt(5.0, 0.0, 0.0),
+                                               gp_Pnt(5.0 * std::cos(angle), 5.0 * std::sin(angle), 0.0)});
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline).Face(), gp_Vec(0.0, 0.0, 2.0));
+}
+
+std::vector<NamedShape> hardModels()
+{
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-1.0, -1.0, -1.0), 2.0, 2.0, 2.0).Shape();
+    const gp_Ax2 oblique(gp_Pnt(0.0, 0.0, -3.0), gp_Dir(0.3, 0.2, 1.0));
+    return {{"loft", loft()},
+            {"thin ring", thinRing()},
+            {"hole at the rim", diskWithHoleAtRim()},
+            {"wedge of 3 degrees", wedge(3.0)},
+            {"wedge of 40 degrees", wedge(40.0)},
+            {"ball in a box", BRepAlgoAPI_Common(box, BRepPrimAPI_MakeSphere(1.2).Shape())},
+            {"box less a ball", BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeSphere(1.2).Shape())},
+            {"box drilled askew", BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(oblique, 0.5, 6.0).Shape())},
+            {"two cylinders",
+             BRepAlgoAPI_Common(
+                 BRepPrimAPI_MakeCylinder(1.0, 3.0).Shape(),
+                 BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-2.0, 0.0, 1.5), gp_Dir(1.0, 0.0, 0.0)), 0.8, 4.0)
+                     .Shape())},
+            {"torus less a box", BRepAlgoAPI_Cut(BRepPrimAPI_MakeTorus(3.0, 1.0).Shape(), box)},
+            {"cone less a cylinder",
+             BRepAlgoAPI_Cut(
+                 BRepPrimAPI_MakeCone(2.0, 0.0, 4.0).Shape(),
+                 BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(1.0, 0.0, 0.0), gp_Dir(0.0, 0.0, 1.0)), 0.3, 5.0)
+                     .Shape())}};
+}
+
+std::vector<NamedShape> splineModels()
+{
+    std::vector<NamedShape> models;
+    for (const NamedShape& named : test::kernelModels()) {
+        models.emplace_back("splines of " + named.first, BRepBuilderAPI_NurbsConvert(named.second).Shape());
+    }
+    return models;
+}
+
+void expectSound(const NamedShape& named, const CurveChainOptions& options)
+{
+    SCOPED_TRACE(named.first);
+    auto read = readModelFromShape(named.second);
+    ASSERT_TRUE(read) << describe(read.error());
+    SampledModel sampled;
+    test::sampleInto(sampled, std::move(read->model), options);
+    EXPECT_EQ(checkSurfaceMesh(sampled.model, sampled.mesh).problem(), "");
+}
+
+TEST(OcctSurfaces, AreMeshedSoundly)
+{
+    for (const NamedShape& named : test::kernelModels()) expectSound(named, {});
+    for (const NamedShape& named : hardModels()) expectSound(named, {});
+}
+
+TEST(OcctSurfaces, AreMeshedSoundlyAsSplines)
+{
+    for (const NamedShape& named : splineModels()) expectSound(named, {});
+}
+
+TEST(OcctSurfaces, AreMeshedSoundlyBetweenFineCurves)
+{
+    const UniformSize size(0.07);
+    CurveChainOptions options;
+    options.sizes = &size;
+    for (const NamedShape& named : test::kernelModels()) expectSound(named, options);
+    for (const NamedShape& named : hardModels()) expectSound(named, options);
+}
+
+TEST(OcctSurfaces, SplitCurvesThatAreCoarseBesideAThinFace)
+{
+    auto read = readModelFromShape(thinRing());
+    ASSERT_TRUE(read);
+    SampledModel sampled;
+    test::sampleInto(sampled, std::move(read->model));
+    EXPECT_GT(sampled.initial.segmentSplits, 16u);
+    const double exact = kPi * (100.0 - 96.04) * 0.2;
+    EXPECT_NEAR(checkSurfaceMesh(sampled.model, sampled.mesh).volumes[BrepSolidId(0)], exact, 0.4 * exact);
+}
+
+TEST(OcctSurfaces, KeepsAHoleInsideOfTheRim)
+{
+    auto read = readModelFromShape(diskWithHoleAtRim());
+    ASSERT_TRUE(read);
+    SampledModel sampled;
+    test::sampleInto(sampled, std::move(read->model));
+    EXPECT_GT(sampled.initial.segmentSplits, 0u);
+    const double exact = kPi * (100.0 - 0.04);
+    EXPECT_NEAR(checkSurfaceMesh(sampled.model, sampled.mesh).volumes[BrepSolidId(0)], exact, 0.12 * exact);
+}
+
+TEST(OcctSurfaces, AreMeshedSoundlyOnNarrowFillets)
+{
+    expectSound({"rounded cylinder", roundedCylinder()}, {});
+}
+
+}  // namespace
+}  // namespace mesher
