@@ -65,6 +65,20 @@ bool FacetSplitter::encroaches(const Vec3& point, const Vec3& a, const Vec3& b) 
            cosine < encroachmentCosine_ * std::sqrt(squaredLength(a - point) * squaredLength(b - point));
 }
 
+/// Around a pole the walk and the projection may have gone different ways, a period apart.
+Vec2 FacetSplitter::nearImage(TriangleId t, Vec2 uv) const
+{
+    const FaceTriangle& record = mesh_.triangle(t);
+    Vec2 sum;
+    double count = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh_.vertex(record.v[i]).isPole()) continue;
+        sum = sum + record.uv[i];
+        count += 1.0;
+    }
+    return count > 0.0 ? uv + geometry_.shiftBetween(uv, (1.0 / count) * sum) : uv;
+}
+
 EdgeLink FacetSplitter::nearestSide(TriangleId t, const Vec3& point) const
 {
     EdgeLink nearest;
@@ -134,12 +148,13 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetN
         case FaceWalk::Outcome::Inside: break;
     }
     const FaceVertex vertex = vertexAt(*centre);
-    star_.evaluateInside(walk.triangle, vertex, centre->parameters - walk.shift, extent);
+    const Vec2 uv = nearImage(walk.triangle, centre->parameters - walk.shift);
+    star_.evaluateInside(walk.triangle, vertex, uv, extent);
     // Above the edge of a coarse facet a vertex makes a steep one; without that edge it does not.
     if (star_.isFolded()) {
         const EdgeLink side = nearestSide(walk.triangle, vertex.position);
         if (!mesh_.segment(side).isValid()) {
-            star_.evaluateOnSide(side, vertex, centre->parameters - walk.shift, extent, {});
+            star_.evaluateOnSide(side, vertex, uv, extent, {});
         }
     }
     const FacetSplitStatus status = judgeStar();

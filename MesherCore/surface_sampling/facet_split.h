@@ -61,6 +61,7 @@ public:
     [[nodiscard]] bool encroaches(const Vec3& point, const Vec3& a, const Vec3& b) const;
 
 private:
+    [[nodiscard]] Vec2 nearImage(TriangleId t, Vec2 uv) const;
     [[nodiscard]] EdgeLink nearestSide(TriangleId t, const Vec3& point) const;
     [[nodiscard]] double squaredCurvatureRadius(TriangleId t) const;
     [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);
