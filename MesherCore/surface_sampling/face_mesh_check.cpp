@@ -3,6 +3,7 @@
 #include "surface_sampling/facet_measures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -67,6 +68,15 @@ private:
         const double distance =
             length(geometry_.surface().position(record.uv[corner]) - mesh_.position(record.v[corner]));
         result_.largestDistance = std::max(result_.largestDistance, distance);
+        const unsigned next = nextCorner(corner);
+        if (mesh_.vertex(record.v[corner]).isPole() || mesh_.vertex(record.v[next]).isPole()) return;
+        const Vec2 spread = record.uv[next] - record.uv[corner];
+        const Vec2 periods = geometry_.periods();
+        if ((periods.x > 0.0 && 2.0 * std::abs(spread.x) > periods.x) ||
+            (periods.y > 0.0 && 2.0 * std::abs(spread.y) > periods.y)) {
+            fail("vertices " + std::to_string(record.v[corner].value) + " and " +
+                 std::to_string(record.v[next].value) + " have parameters in different images of the face");
+        }
     }
 
     void checkSide(EdgeLink side)

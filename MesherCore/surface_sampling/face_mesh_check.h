@@ -27,7 +27,8 @@ struct FaceMeshCheck
 
 /// Checks the mesh of a face: links are symmetric and join sides that run against each other, sides at the border are
 /// segments, the two sides of a seam name one segment, no edge is used twice, the triangles around each vertex are one fan or
-/// ring, corners lie at their parameters in one image of the face.
+/// ring, corners lie at their parameters in one image of the face,
+/// less than half a period apart.
 /// Cost   linear; one surface evaluation per corner
 [[nodiscard]] FaceMeshCheck checkFaceMesh(const FaceMesh& mesh, const FaceGeometry& geometry);
 

@@ -23,7 +23,7 @@ struct FacetCriteriaOptions
     /// Largest distance between an edge and the surface, model units; 0 for no wish.
     double maxSag = 0.0;
     /// Largest angle between a facet's normal and the surface's at its corners, degrees; in (0, 90].
-    double maxNormalDeviation = 60.0;
+    double maxNormalDeviation = 35.0;
     /// Wanted edge lengths; null for no wish.
     const SizingField* sizes = nullptr;
     /// Curvature and normals ask for no edges shorter than this, model units: it keeps the apex of a cone, and a crease, from

@@ -65,6 +65,20 @@ bool FacetSplitter::encroaches(const Vec3& point, const Vec3& a, const Vec3& b) 
            cosine < encroachmentCosine_ * std::sqrt(squaredLength(a - point) * squaredLength(b - point));
 }
 
+/// Around a pole the walk and the projection may have gone different ways, a period apart.
+Vec2 FacetSplitter::nearImage(TriangleId t, Vec2 uv) const
+{
+    const FaceTriangle& record = mesh_.triangle(t);
+    Vec2 sum;
+    double count = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh_.vertex(record.v[i]).isPole()) continue;
+        sum = sum + record.uv[i];
+        count += 1.0;
+    }
+    return count > 0.0 ? uv + geometry_.shiftBetween(uv, (1.0 / count) * sum) : uv;
+}
+
 EdgeLink FacetSplitter::nearestSide(TriangleId t, const Vec3& point) const
 {
     EdgeLink nearest;
@@ -81,12 +95,12 @@ EdgeLink FacetSplitter::nearestSide(TriangleId t, const Vec3& point) const
     return nearest;
 }
 
-bool FacetSplitter::isLargerThanCurvature(TriangleId t) const
+/// The least of the corners.
+double FacetSplitter::squaredCurvatureRadius(TriangleId t) const
 {
-    const FaceTriangle& record = mesh_.triangle(t);
     double radius = std::numeric_limits<double>::infinity();
-    for (const VertexId v : record.v) radius = std::min(radius, mesh_.vertex(v).curvatureRadius);
-    return shapeOf(mesh_, t).squaredRadius > radius * radius;
+    for (const VertexId v : mesh_.triangle(t).v) radius = std::min(radius, mesh_.vertex(v).curvatureRadius);
+    return radius * radius;
 }
 
 std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
@@ -115,11 +129,14 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
     return facts;
 }
 
-FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, bool mayHalve)
+FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetNeed need)
 {
     encroached_.clear();
+    const FacetShape shape = shapeOf(mesh_, t);
+    const double curvature = squaredCurvatureRadius(t);
+    const bool mayHalve = need == FacetNeed::Size || 4.0 * shape.squaredSide[shape.longest] > curvature;
     const auto halve = [&] { return mayHalve ? evaluateLongestEdge(t, extent) : FacetSplitStatus::NotFound; };
-    if (mayHalve && isLargerThanCurvature(t)) return evaluateLongestEdge(t, extent);
+    if (need == FacetNeed::Size && shape.squaredRadius > curvature) return evaluateLongestEdge(t, extent);
     const std::optional<SurfaceFacts> centre = findCentre(t);
     if (!centre) return halve();
     const FaceWalk walk = walkToPoint(mesh_, geometry_, t, centre->position);
@@ -131,12 +148,13 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, bool m
         case FaceWalk::Outcome::Inside: break;
     }
     const FaceVertex vertex = vertexAt(*centre);
-    star_.evaluateInside(walk.triangle, vertex, centre->parameters - walk.shift, extent);
+    const Vec2 uv = nearImage(walk.triangle, centre->parameters - walk.shift);
+    star_.evaluateInside(walk.triangle, vertex, uv, extent);
     // Above the edge of a coarse facet a vertex makes a steep one; without that edge it does not.
     if (star_.isFolded()) {
         const EdgeLink side = nearestSide(walk.triangle, vertex.position);
         if (!mesh_.segment(side).isValid()) {
-            star_.evaluateOnSide(side, vertex, centre->parameters - walk.shift, extent, {});
+            star_.evaluateOnSide(side, vertex, uv, extent, {});
         }
     }
     const FacetSplitStatus status = judgeStar();

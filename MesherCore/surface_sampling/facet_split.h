@@ -47,8 +47,9 @@ public:
     FacetSplitter(FaceMesh& mesh, const FaceGeometry& geometry, const FacetCriteria& criteria,
                   const FacetSplitOptions& options);
 
-    /// Without `mayHalve` only centres are tried: halving edges makes facets small, not good.
-    [[nodiscard]] FacetSplitStatus evaluate(TriangleId t, StarExtent extent, bool mayHalve);
+    /// For the sake of quality edges are halved only where facets are coarse for the surface's curvature: elsewhere that would
+    /// make them small, not good.
+    [[nodiscard]] FacetSplitStatus evaluate(TriangleId t, StarExtent extent, FacetNeed need);
     /// What a split that is Ready will do.
     [[nodiscard]] FaceStar& star() { return star_; }
     /// Segments between the facet and its new vertex, or in whose balls that would lie.
@@ -60,8 +61,9 @@ public:
     [[nodiscard]] bool encroaches(const Vec3& point, const Vec3& a, const Vec3& b) const;
 
 private:
+    [[nodiscard]] Vec2 nearImage(TriangleId t, Vec2 uv) const;
     [[nodiscard]] EdgeLink nearestSide(TriangleId t, const Vec3& point) const;
-    [[nodiscard]] bool isLargerThanCurvature(TriangleId t) const;
+    [[nodiscard]] double squaredCurvatureRadius(TriangleId t) const;
     [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);
     [[nodiscard]] FacetSplitStatus evaluateLongestEdge(TriangleId t, StarExtent extent);
     [[nodiscard]] FacetSplitStatus judgeStar();

@@ -124,7 +124,7 @@ void SampledSurface::evaluateFacet(FacetId facet, SurfaceSplitExtent extent, Sur
     reset(split);
     const BrepFaceId f = mesh_.facets[facet].face;
     FacetSplitter& splitter = faces_->face(f)->refiner.splitter();
-    switch (splitter.evaluate(triangleOf_[facet], starExtentOf(extent), true)) {
+    switch (splitter.evaluate(triangleOf_[facet], starExtentOf(extent), FacetNeed::Size)) {
         case FacetSplitStatus::NotFound: return;
         case FacetSplitStatus::TooSmall: split.status = SurfaceSplitStatus::TooSmall; return;
         case FacetSplitStatus::Encroaches:

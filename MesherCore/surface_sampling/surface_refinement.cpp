@@ -213,7 +213,7 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         mesh_.triangle(t).left = FacetLeft::Resolution;
         return;
     }
-    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need == FacetNeed::Size);
+    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need);
     if (status == FacetSplitStatus::Ready) {
         splitter_.star().commit();
         queueMade(splitter_.star().made());

@@ -109,6 +109,7 @@ int main(int count, char** words)
         if (name == "--angle") options.facets.minAngle = value;
         if (name == "--threads") settings.threads = static_cast<unsigned>(value);
         if (name == "--certificate") options.maxCertificateRounds = static_cast<int>(value);
+        if (name == "--deviation") options.facets.maxNormalDeviation = value;
         if (name == "--max") options.limits.maxVertices = static_cast<std::uint64_t>(value);
         if (name == "--faces") isByFace = value != 0.0;
         if (name == "--off") off = words[i + 1];

@@ -237,8 +237,10 @@ void splitManyTimes(const BrepModel& model, SampledSurface& surface, SurfaceSpli
     for (std::uint32_t i = 0; i < 800; ++i) {
         const SurfaceMesh& mesh = surface.mesh();
         if (i % 4 == 0) {
-            const SegmentId segment((i * 7) % static_cast<std::uint32_t>(mesh.segments.size()));
-            if (!mesh.segments[segment].isAlive()) continue;
+            SegmentId segment((i * 7) % static_cast<std::uint32_t>(mesh.segments.size()));
+            while (!mesh.segments[segment].isAlive()) {
+                segment.value = (segment.value + 1) % static_cast<std::uint32_t>(mesh.segments.size());
+            }
             surface.evaluateSegment(segment, extent, split);
         } else {
             const FacetId facet((i * 31) % static_cast<std::uint32_t>(mesh.facets.size()));
