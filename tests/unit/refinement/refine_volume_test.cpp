@@ -235,6 +235,18 @@ TEST(RefineVolumeLimits, TellsProgressAndCanBeCancelled)
     EXPECT_TRUE(isSound(solid));
 }
 
+TEST(RefineVolumeChecks, RunAtFullLevelAndChangeNothing)
+{
+    SampledSolid checked = sampledCylinder(1.0, 2.0, 25);
+    SampledSolid plain = sampledCylinder(1.0, 2.0, 25);
+    RunSettings settings;
+    settings.checkLevel = CheckLevel::Full;
+    RunContext context(settings);
+    ASSERT_TRUE(refineVolume(checked.tetrahedralization, *checked.splitter, {}, context).hasValue());
+    refine(plain);
+    EXPECT_EQ(meshHash3d(checked.tetrahedralization.mesh()), meshHash3d(plain.tetrahedralization.mesh()));
+}
+
 TEST(RefineVolumeOptionsRange, IsRefusedOutside)
 {
     SampledSolid solid = sampledBox({1, 1, 1}, 1);
