@@ -264,6 +264,18 @@ TEST(RefineVolumeOptionsRange, IsRefusedOutside)
     EXPECT_TRUE(isRefused([](auto& o) { o.quality.largestDihedral = 80.0; }));
 }
 
+TEST(RefineVolumeSmallAngles, DoNotSpoilWhatIsPossibleBesideAnAngleOf27Degrees)
+{
+    SampledSolid solid = sampledWedge(2.0, 1.0, 2.0, 10);
+    const UniformSize field(0.2);
+    RefineVolumeOptions options;
+    options.sizing.field = &field;
+    options.sizing.usesLocalFeatureSize = false;
+    EXPECT_EQ(refine(solid, options).stopReason, StopReason::Done);
+    EXPECT_GE(dihedralRange(solid).least, 18.0);
+    EXPECT_LE(dihedralRange(solid).most, 155.0);
+}
+
 TEST(RefineVolumeSmallAngles, AreBlamedForWhatIsLeft)
 {
     SampledSolid solid = sampledWedge(2.0, 0.4, 2.0, 4);
