@@ -108,10 +108,10 @@ int main(int count, char** words)
               << ", \"quality\": " << c.qualityInsertions << ", \"segments\": " << c.segmentSplits
               << ", \"facets\": " << c.facetSplits << ", \"rejected\": " << c.rejectedCentres
               << ", \"refused\": [" << c.refusedSegments << ", " << c.refusedFacets
-              << "], \"aborted\": " << c.abortedInsertions << ", \"short\": " << c.shortInsertions << ", \"repairs\": " << c.cavityRepairs
-              << ", \"neighbour\": " << c.neighbourSplits << ", \"deleted\": " << c.boundary.deletedVertices
-              << ", \"kept\": " << c.boundary.keptVertices << ", \"least\": " << c.boundary.leastExtents
-              << ", \"blocked\": " << c.boundary.blockedCavities
+              << "], \"aborted\": " << c.abortedInsertions << ", \"short\": " << c.shortInsertions
+              << ", \"repairs\": " << c.cavityRepairs << ", \"neighbour\": " << c.neighbourSplits
+              << ", \"deleted\": " << c.boundary.deletedVertices << ", \"kept\": " << c.boundary.keptVertices
+              << ", \"least\": " << c.boundary.leastExtents << ", \"blocked\": " << c.boundary.blockedCavities
               << ", \"inconsistent\": " << c.boundary.inconsistentSplits << ", \"left\": {";
     bool isFirst = true;
     for (const auto& [reason, number] : reasons) {

@@ -235,6 +235,18 @@ TEST(RefineVolumeLimits, TellsProgressAndCanBeCancelled)
     EXPECT_TRUE(isSound(solid));
 }
 
+TEST(RefineVolumeChecks, RunAtFullLevelAndChangeNothing)
+{
+    SampledSolid checked = sampledCylinder(1.0, 2.0, 25);
+    SampledSolid plain = sampledCylinder(1.0, 2.0, 25);
+    RunSettings settings;
+    settings.checkLevel = CheckLevel::Full;
+    RunContext context(settings);
+    ASSERT_TRUE(refineVolume(checked.tetrahedralization, *checked.splitter, {}, context).hasValue());
+    refine(plain);
+    EXPECT_EQ(meshHash3d(checked.tetrahedralization.mesh()), meshHash3d(plain.tetrahedralization.mesh()));
+}
+
 TEST(RefineVolumeOptionsRange, IsRefusedOutside)
 {
     SampledSolid solid = sampledBox({1, 1, 1}, 1);
@@ -250,6 +262,18 @@ TEST(RefineVolumeOptionsRange, IsRefusedOutside)
     EXPECT_TRUE(isRefused([](auto& o) { o.floor = std::nan(""); }));
     EXPECT_TRUE(isRefused([](auto& o) { o.quality.threshold = 0.95; }));
     EXPECT_TRUE(isRefused([](auto& o) { o.quality.largestDihedral = 80.0; }));
+}
+
+TEST(RefineVolumeSmallAngles, DoNotSpoilWhatIsPossibleBesideAnAngleOf27Degrees)
+{
+    SampledSolid solid = sampledWedge(2.0, 1.0, 2.0, 10);
+    const UniformSize field(0.2);
+    RefineVolumeOptions options;
+    options.sizing.field = &field;
+    options.sizing.usesLocalFeatureSize = false;
+    EXPECT_EQ(refine(solid, options).stopReason, StopReason::Done);
+    EXPECT_GE(dihedralRange(solid).least, 18.0);
+    EXPECT_LE(dihedralRange(solid).most, 155.0);
 }
 
 TEST(RefineVolumeSmallAngles, AreBlamedForWhatIsLeft)
