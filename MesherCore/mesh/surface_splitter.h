@@ -56,7 +56,10 @@ public:
     virtual void evaluateSegment(SegmentId segment, SurfaceSplitExtent extent, SurfaceSplit& split) = 0;
     /// At the centre of the facet's surface ball.
     virtual void evaluateFacet(FacetId facet, SurfaceSplitExtent extent, SurfaceSplit& split) = 0;
-    /// Makes a split that is Ready, with nothing changed since it was evaluated.
+    /// Whether commit also takes this split, which the caller has made up at a place of its own: where the geometry is straight
+    /// and plane any place is exact.
+    [[nodiscard]] virtual bool accepts(const SurfaceSplit& split) const = 0;
+    /// Makes a split that is Ready, with nothing changed since it was evaluated, or one that is accepted.
     virtual SurfaceSplitResult commit(const SurfaceSplit& split) = 0;
 };
 

@@ -31,6 +31,18 @@ void reset(SurfaceSplit& split)
 
 }  // namespace
 
+namespace {
+
+/// The corner of an added facet where the new node goes.
+unsigned newCornerOf(const SurfaceFacet& facet)
+{
+    unsigned corner = 0;
+    while (corner < 2 && facet.node[corner].isValid()) ++corner;
+    return corner;
+}
+
+}  // namespace
+
 SampledSurface::SampledSurface(std::unique_ptr<SampledFaces> faces) : faces_(std::move(faces)) { assemble(); }
 
 // ---- one mesh of all faces -------------------------------------------------------------------------------------------
@@ -162,8 +174,9 @@ void SampledSurface::commitFace(BrepFaceId f, const SurfaceSplit& split, Surface
     VertexId centre;
     for (const SurfaceFacet& facet : split.added) {
         if (facet.face != f) continue;
+        const unsigned own = newCornerOf(facet);
         if (!centre.isValid()) {
-            FaceVertex vertex = face.refiner.splitter().vertexAt(face.geometry.at(facet.parameters[0]));
+            FaceVertex vertex = face.refiner.splitter().vertexAt(face.geometry.at(facet.parameters[own]));
             vertex.position = split.node.position;
             vertex.node = result.node;
             vertex.isFree = split.node.entity.dimension == 2;
@@ -171,8 +184,12 @@ void SampledSurface::commitFace(BrepFaceId f, const SurfaceSplit& split, Surface
             if (!vertex.isFree) face.refiner.setVertexOf(result.node, centre);
         }
         // On the seam of a face that meets itself at an angle there is no one normal.
-        mesh.vertex(centre).keepNormal(face.geometry.at(facet.parameters[0]).normal);
-        added.push_back({{centre, vertexOf(facet.node[1]), vertexOf(facet.node[2])}, facet.parameters});
+        mesh.vertex(centre).keepNormal(face.geometry.at(facet.parameters[own]).normal);
+        FacetCorners corner{{centre, centre, centre}, facet.parameters};
+        for (unsigned k = 0; k < 3; ++k) {
+            if (k != own) corner.v[k] = vertexOf(facet.node[k]);
+        }
+        added.push_back(corner);
     }
     std::vector<NewSegmentSide> sides;
     if (split.segment.isValid()) {
@@ -190,14 +207,29 @@ void SampledSurface::commitFace(BrepFaceId f, const SurfaceSplit& split, Surface
     }
 }
 
+bool SampledSurface::accepts(const SurfaceSplit& split) const
+{
+    if (split.removed.empty()) return false;
+    for (const FacetId facet : split.removed) {
+        const BrepFaceId f = mesh_.facets[facet].face;
+        if (faces_->model().faces[f].surface->kind() != SurfaceKind::Plane) return false;
+    }
+    if (!split.segment.isValid()) return true;
+    const BrepEdge& edge = faces_->model().edges[mesh_.segments[split.segment].edge];
+    const double t = split.node.parameters.x;
+    const auto& ends = mesh_.segments[split.segment].parameter;
+    return edge.curve->kind() == CurveKind::Line && ends[0] < t && t < ends[1];
+}
+
 SurfaceSplitResult SampledSurface::commit(const SurfaceSplit& split)
 {
     MESHER_PRECONDITION(split.status == SurfaceSplitStatus::Ready);
     SurfaceSplitResult result;
     if (split.segment.isValid()) {
         // On a shell the chain must know of it, so the place is asked for again.
-        const std::optional<SegmentPlace> place = faces_->chains().splitPlace(split.segment);
-        MESHER_INVARIANT(place.has_value());
+        std::optional<SegmentPlace> place = faces_->chains().splitPlace(split.segment);
+        if (!place || !(place->position == split.node.position))
+            place = SegmentPlace{split.node.parameters.x, split.node.position, {}, 0.0};
         const SegmentSplit made = faces_->chains().split(split.segment, *place, mesh_.nodes);
         result.node = made.node;
         result.halves = made.halves;
@@ -208,7 +240,7 @@ SurfaceSplitResult SampledSurface::commit(const SurfaceSplit& split)
     }
     for (const SurfaceFacet& facet : split.added) {
         SurfaceFacet named = facet;
-        named.node[0] = result.node;
+        named.node[newCornerOf(facet)] = result.node;
         result.added.push_back(mesh_.facets.push_back(named));
         triangleOf_.push_back({});
     }

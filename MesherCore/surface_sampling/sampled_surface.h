@@ -22,6 +22,7 @@ public:
     [[nodiscard]] const SurfaceMesh& mesh() const override { return mesh_; }
     void evaluateSegment(SegmentId segment, SurfaceSplitExtent extent, SurfaceSplit& split) override;
     void evaluateFacet(FacetId facet, SurfaceSplitExtent extent, SurfaceSplit& split) override;
+    [[nodiscard]] bool accepts(const SurfaceSplit& split) const override;
     SurfaceSplitResult commit(const SurfaceSplit& split) override;
 
     [[nodiscard]] SampledFaces& faces() { return *faces_; }

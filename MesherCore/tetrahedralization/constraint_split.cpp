@@ -186,6 +186,8 @@ bool ConstraintSplit::splitFacetExactly(FacetId facet)
 bool ConstraintSplit::splitEdgeAtCrossing(VertexId a, VertexId b, const std::vector<EdgeCrossing>& crossings)
 {
     Triangulation3d& mesh = constraints_.mesh();
+    const SurfaceSplit halved = describeEdgeSplit(a, b, 0.5 * (mesh.position(a) + mesh.position(b)));
+    if (!constraints_.splitter().accepts(halved)) return false;
     const std::size_t middle = crossings.size() / 2;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const std::size_t offset = (i + 1) / 2;
@@ -204,8 +206,7 @@ bool ConstraintSplit::splitEdgeAtCrossing(VertexId a, VertexId b, const std::vec
         splitEdgeAt(a, b, vertex);
         return true;
     }
-    const SurfaceSplit split = describeEdgeSplit(a, b, 0.5 * (mesh.position(a) + mesh.position(b)));
-    return insertAndMake(split);
+    return insertAndMake(halved);
 }
 
 bool ConstraintSplit::splitFacetAtCrossing(FacetId facet, const FacetCrossing& crossing)
@@ -214,6 +215,8 @@ bool ConstraintSplit::splitFacetAtCrossing(FacetId facet, const FacetCrossing& c
     const auto corner = constraints_.cornersOf(facet);
     const Vec3 centre =
         (1.0 / 3.0) * (mesh.position(corner[0]) + mesh.position(corner[1]) + mesh.position(corner[2]));
+    const SurfaceSplit central = describeFacetSplit(facet, centre);
+    if (!constraints_.splitter().accepts(central)) return false;
     std::vector<std::pair<double, Vec3>> points;
     std::vector<std::size_t> order;
     for (const auto& edge : crossing.edges) {
@@ -231,7 +234,7 @@ bool ConstraintSplit::splitFacetAtCrossing(FacetId facet, const FacetCrossing& c
         splitFacetAt(facet, vertex);
         return true;
     }
-    return insertAndMake(describeFacetSplit(facet, centre));
+    return insertAndMake(central);
 }
 
 void ConstraintSplit::splitEdgeAt(VertexId a, VertexId b, VertexId vertex)

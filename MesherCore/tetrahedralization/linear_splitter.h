@@ -14,6 +14,7 @@ public:
     /// NotFound.
     void evaluateSegment(SegmentId segment, SurfaceSplitExtent extent, SurfaceSplit& split) override;
     void evaluateFacet(FacetId facet, SurfaceSplitExtent extent, SurfaceSplit& split) override;
+    [[nodiscard]] bool accepts(const SurfaceSplit& /*split*/) const override { return true; }
     SurfaceSplitResult commit(const SurfaceSplit& split) override;
 
 private:

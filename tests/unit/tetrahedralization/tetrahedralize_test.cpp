@@ -92,6 +92,7 @@ public:
         }
     }
 
+    [[nodiscard]] bool accepts(const SurfaceSplit& /*split*/) const override { return true; }
     SurfaceSplitResult commit(const SurfaceSplit& split) override { return linear_.commit(split); }
 
 private:
