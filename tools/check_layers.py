@@ -21,7 +21,7 @@ FOREIGN_HEADERS = {
     "base": re.compile(r"sys/mman\.h"),
     "surface_sampling": re.compile(r"oneapi/tbb/.+\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
-    "brep/occt": re.compile(r".+\.hxx"),
+    "brep/occt": re.compile(r".+\.hxx|fcntl\.h|sys/wait\.h|unistd\.h"),
     "cli": re.compile(r"boost/program_options\.hpp|unistd\.h"),
     "io": re.compile(r"fcntl\.h|sys/stat\.h|unistd\.h|zlib\.h"),
     "pipeline": re.compile(r"nlohmann/json\.hpp"),

@@ -158,7 +158,10 @@ private:
     Result<void> writeBoundary() const
     {
         if (boundary_) return writeCurvedBoundary(*boundary_, *command_.curvedBoundary);
-        return Error{ErrorCode::InvalidArgument, "is written of plane meshes only", "--curved-boundary", {},
+        return Error{ErrorCode::InvalidArgument,
+                     "is written of plane meshes only",
+                     "--curved-boundary",
+                     {},
                      "leave the option out"};
     }
 

@@ -81,7 +81,8 @@ private:
         const bool looksIn = ahead != kExteriorRegion && (behind == kExteriorRegion || ahead < behind);
         if (looksIn) std::swap(node[1], node[2]);
         mesh_.triangles.push_back({node, {2, facet.face.value}});
-        for (std::size_t i = 0; i < 3; ++i) triangleSides_.insert(unorderedPair(node[i], node[(i + 1) % 3]), true);
+        for (std::size_t i = 0; i < 3; ++i)
+            triangleSides_.insert(unorderedPair(node[i], node[(i + 1) % 3]), true);
     }
 
     void addLines()
@@ -133,11 +134,12 @@ private:
         for (std::uint32_t i = 0; i < tets.vertexLimit(); ++i) {
             const VertexId v(i);
             if (!regionAt[v].isValid()) continue;
-            const NodeId node = v.value < tetrahedralization.nodeOf.size() ? tetrahedralization.nodeOf[v] : NodeId();
-            nodeAt[v] = node.isValid() ? nodeOf_[node]
-                                       : mesh_.nodes.push_back({unit * tets.position(v),
-                                                                {3, regionAt[v].value - 1},
-                                                                {}});
+            const NodeId node =
+                v.value < tetrahedralization.nodeOf.size() ? tetrahedralization.nodeOf[v] : NodeId();
+            nodeAt[v] =
+                node.isValid()
+                    ? nodeOf_[node]
+                    : mesh_.nodes.push_back({unit * tets.position(v), {3, regionAt[v].value - 1}, {}});
         }
     }
 

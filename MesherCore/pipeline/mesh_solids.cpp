@@ -215,8 +215,11 @@ Result<void> checkSolids(const BrepModel& model)
             if (shell.isClosed) continue;
             const std::string face =
                 shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
-            return Error{ErrorCode::InvalidArgument, "has an open shell, that of " + face,
-                         nameOf(BrepSolidId(i)), {}, "close the shell, or mesh its faces with --dimension 2"};
+            return Error{ErrorCode::InvalidArgument,
+                         "has an open shell, that of " + face,
+                         nameOf(BrepSolidId(i)),
+                         {},
+                         "close the shell, or mesh its faces with --dimension 2"};
         }
     }
     return {};
@@ -232,7 +235,8 @@ Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, 
 void addTo(std::vector<std::pair<std::string, std::uint64_t>>& counts, const std::string& name,
            std::uint64_t count)
 {
-    const auto found = std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == name; });
+    const auto found =
+        std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == name; });
     if (found == counts.end()) {
         counts.emplace_back(name, count);
     } else {
@@ -242,7 +246,8 @@ void addTo(std::vector<std::pair<std::string, std::uint64_t>>& counts, const std
 
 void addTo(std::vector<std::pair<std::string, double>>& seconds, const std::string& name, double spent)
 {
-    const auto found = std::find_if(seconds.begin(), seconds.end(), [&](const auto& s) { return s.first == name; });
+    const auto found =
+        std::find_if(seconds.begin(), seconds.end(), [&](const auto& s) { return s.first == name; });
     if (found == seconds.end()) {
         seconds.emplace_back(name, spent);
     } else {
@@ -294,7 +299,8 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     ClassifiedMesh mesh;
     bool isWhole = true;
     for (const ModelComponent& component : solidComponents(model)) {
-        const MeshOutcome part = SolidRun(component.model, options, sizes.value(), context, start).meshSolids();
+        const MeshOutcome part =
+            SolidRun(component.model, options, sizes.value(), context, start).meshSolids();
         addReport(component, part.report, whole.report);
         if (part.mesh) appendComponent(component, *part.mesh, mesh);
         isWhole = isWhole && part.mesh.has_value();

@@ -56,7 +56,10 @@ Members membersOf(const BrepModel& model, std::vector<BrepSolidId> solids)
 class SolidGroups
 {
 public:
-    explicit SolidGroups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    explicit SolidGroups(std::size_t count) : parent_(count)
+    {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
 
     std::uint32_t rootOf(std::uint32_t i)
     {

@@ -14,8 +14,7 @@ namespace mesher {
 /// and sag are not in it: curves and faces are asked for theirs where they are sampled.
 /// Requires     valid options
 /// Refuses      a size on an entity that the model does not have
-[[nodiscard]] Result<std::shared_ptr<const SizingField>> solidSizes(const BrepModel& model,
-                                                                    const MeshOptions& options,
-                                                                    std::shared_ptr<const SizingField> fromFiles);
+[[nodiscard]] Result<std::shared_ptr<const SizingField>>
+solidSizes(const BrepModel& model, const MeshOptions& options, std::shared_ptr<const SizingField> fromFiles);
 
 }  // namespace mesher

@@ -2,6 +2,7 @@
 
 #include "brep/occt/file_damage.h"
 #include "brep/occt/occt_error.h"
+#include "brep/occt/trial_process.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -70,7 +71,7 @@ Result<ShapeFromFile> readStep(const std::string& content, const std::string& na
     return ShapeFromFile{*std::move(shape), lengths.IsEmpty() ? "" : lengths.First().ToCString()};
 }
 
-Result<ShapeFromFile> readIges(const std::string& name)
+Result<ShapeFromFile> readIgesHere(const std::string& name)
 {
     IGESControl_Reader reader;
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
@@ -83,6 +84,14 @@ Result<ShapeFromFile> readIges(const std::string& name)
     if (!shape) return shape.error();
     const Handle(TCollection_HAsciiString) unit = reader.IGESModel()->GlobalSection().UnitName();
     return ShapeFromFile{*std::move(shape), unit.IsNull() ? "" : unit->ToCString()};
+}
+
+/// The kernel's reader of IGES crashes on some damaged files before anything can be asked of it.
+Result<ShapeFromFile> readIges(const std::string& name)
+{
+    if (!endsByItself([&] { static_cast<void>(readIgesHere(name)); }))
+        return unreadable(name, "the IGES file is damaged: the CAD kernel fails on it");
+    return readIgesHere(name);
 }
 
 /// The kernel's BREP readers go on, without end, when a stream fails: this one throws instead.

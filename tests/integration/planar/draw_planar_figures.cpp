@@ -29,7 +29,8 @@ Result<void> writePicture(const Image& image, const std::filesystem::path& path)
 ClassifiedMesh meshOf(const MeshedFigure& meshed)
 {
     PlanarCurveComplex complex = meshed.figure.complex;
-    for (std::uint32_t i = 0; i < complex.regionNames.size(); ++i) complex.regionNames[i] = nameOf(BrepFaceId(i));
+    for (std::uint32_t i = 0; i < complex.regionNames.size(); ++i)
+        complex.regionNames[i] = nameOf(BrepFaceId(i));
     constexpr int kBoundaryOrder = 1;
     return classifyPlanar(complex, meshed.result.triangulation, kBoundaryOrder).mesh;
 }

@@ -1,6 +1,8 @@
+#include "base/random.h"
 #include "brep/occt/read_model.h"
 #include "occt_models.h"
 #include "support/temp_dir.h"
+#include "support/test_effort.h"
 
 #include <BRepTools.hxx>
 #include <BinTools.hxx>
@@ -171,6 +173,31 @@ TEST(ReadModel, ReadsIges)
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("the IGES file is damaged at D"), std::string::npos)
         << describe(refused.error());
+}
+
+/// Some of these crash the kernel's own reader.
+TEST(ReadModel, EndsOnDamagedIges)
+{
+    const test::TempDir folder;
+    const fs::path path = folder.path() / "model.igs";
+    IGESControl_Writer writer("MM", 1);
+    writer.AddShape(test::drilledPlate());
+    writer.Write(path.c_str());
+    const std::string content = contentOf(path);
+    int refused = 0;
+    for (int round = 0; round < test::repetitions(100); ++round) {
+        SCOPED_TRACE("round " + std::to_string(round));
+        Random random(static_cast<std::uint64_t>(round));
+        std::string damaged = content;
+        for (int change = 0; change < 4; ++change) {
+            std::size_t at = random.below(static_cast<std::uint32_t>(damaged.size()));
+            at = damaged.find_first_of("0123456789", at);
+            if (at != std::string::npos) damaged[at] = static_cast<char>('0' + random.below(10));
+        }
+        std::ofstream(path) << damaged;
+        if (!readModel(path)) ++refused;
+    }
+    EXPECT_GT(refused, 0);
 }
 
 TEST(ReadModel, BadFilesAreOneErrorWithFileAndRemedy)

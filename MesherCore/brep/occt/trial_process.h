@@ -1,0 +1,13 @@
+#pragma once
+
+#include <functional>
+
+namespace mesher {
+
+/// Runs a step in a process of its own and tells whether it came to its end there, rather than to a crash: for kernel code that
+/// some damaged files bring down. Nothing that the step does is seen here, but for files.
+/// Returns      true also where no process can be made
+/// Cost         that of the step, once more
+[[nodiscard]] bool endsByItself(const std::function<void()>& step);
+
+}  // namespace mesher
