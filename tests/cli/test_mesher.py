@@ -707,6 +707,17 @@ class TestOtherCommands(Case):
         self.assertEqual(header[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(struct.unpack(">I", header[16:20])[0], 300)
 
+    def test_draws_solids_and_their_cuts(self):
+        self.expect(0, "mesh", DATA / "box.brep", "--size", 0.5, "-o", "m.vtu")
+        pictures = {}
+        for name, cut in (("both", []), ("surface", ["--cut", "no"]), ("x", ["--cut", "x"]), ("near", ["--cut", "x=0.9"])):
+            self.expect(0, "draw", "m.vtu", "-o", "m.png", "--width", 300, *cut)
+            pictures[name] = (self.folder / "m.png").read_bytes()
+            self.assertEqual(struct.unpack(">I", pictures[name][16:20])[0], 300)
+        self.assertEqual(len(set(pictures.values())), 4)
+        for cut in ("w", "x=", "x=a", "xy", "x:1", "no2"):
+            self.expect_refusal(2, ".*--cut.*", "draw", "m.vtu", "-o", "m.png", "--cut", cut)
+
     def test_help_version_and_formats(self):
         self.assertIn("--keep-partial", self.expect(0, "--help").stdout)
         self.assertRegex(self.expect(0, "--version").stdout, r"^mesher \d+\.\d+\.\d+\n$")
