@@ -85,13 +85,13 @@ TEST(DepthRaster, DrawsTheLineAlongOneEdgeOnly)
 TEST(DepthRaster, TakesTheMeanWhereItReduces)
 {
     DepthRaster raster(4, 4, {0, 0, 0});
-    RasterTriangle half;
-    half.corner = {Vec3{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 400.0, 0.0}};  // the first column
-    half.colour = {200, 100, 40};
-    raster.draw(half);
+    RasterTriangle first;
+    first.corner = {Vec3{0.0, 0.0, 0.0}, {1.2, 0.0, 0.0}, {0.0, 1.2, 0.0}};  // one pixel of the first four
+    first.colour = {200, 100, 40};
+    raster.draw(first);
     const Image small = raster.reduced(2);
     ASSERT_EQ(small.width, 2u);
-    EXPECT_EQ(small.at(0, 0), (Colour{100, 50, 20}));
+    EXPECT_EQ(small.at(0, 0), (Colour{50, 25, 10}));
     EXPECT_EQ(small.at(1, 1), (Colour{0, 0, 0}));
 }
 
