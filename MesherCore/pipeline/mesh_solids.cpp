@@ -1,7 +1,10 @@
 #include "pipeline/mesh_solids.h"
 
+#include "brep/face_area.h"
+#include "brep/solid_volume.h"
 #include "mesh/region_sides.h"
 #include "pipeline/classify_solids.h"
+#include "pipeline/estimate_solids.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
 #include "refinement/refine_volume.h"
@@ -19,6 +22,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kReportedUncertainty = 1e-4;  // of the model's volume, relative
+
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -27,6 +32,30 @@ double secondsSince(Clock::time_point start)
 Error notYet(const char* option, const char* what)
 {
     return {ErrorCode::InvalidArgument, what, option, {}, "leave the option out"};
+}
+
+/// That there are solids, and that their shells are closed.
+Result<void> checkSolids(const BrepModel& model)
+{
+    if (model.solids.empty()) {
+        return Error{ErrorCode::InvalidArgument,
+                     "has no solid",
+                     "model",
+                     {},
+                     "close its shell, or mesh its faces with --dimension 2"};
+    }
+    for (std::uint32_t i = 0; i < model.solids.size(); ++i) {
+        for (const BrepShell& shell : model.solids[BrepSolidId(i)].shells) {
+            if (shell.isClosed) continue;
+            const std::string face = shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
+            return Error{ErrorCode::InvalidArgument,
+                         "has an open shell, that of " + face,
+                         nameOf(BrepSolidId(i)),
+                         {},
+                         "close the shell, or mesh its faces with --dimension 2"};
+        }
+    }
+    return {};
 }
 
 /// One run: each step returns whether the next one may follow.
@@ -41,7 +70,7 @@ public:
 
     MeshOutcome meshSolids(std::shared_ptr<const SizingField> fromFiles)
     {
-        if (checkModel() && prepare(std::move(fromFiles)) && sample() && tetrahedralizeSample() && refine())
+        if (checkModel() && prepare(std::move(fromFiles)) && measure() && sample() && tetrahedralizeSample() && refine())
             classify();
         return std::move(outcome_);
     }
@@ -65,20 +94,20 @@ private:
 
     bool checkModel()
     {
-        if (model_.solids.empty()) {
-            return failed({ErrorCode::InvalidArgument, "has no solid", "model", {},
-                           "close its shell, or mesh its faces with --dimension 2"});
-        }
-        for (std::uint32_t i = 0; i < model_.solids.size(); ++i) {
-            for (const BrepShell& shell : model_.solids[BrepSolidId(i)].shells) {
-                if (shell.isClosed) continue;
-                const std::string face =
-                    shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
-                return failed({ErrorCode::InvalidArgument, "has an open shell, that of " + face,
-                               nameOf(BrepSolidId(i)), {}, "close the shell, or mesh its faces with --dimension 2"});
-            }
-        }
-        return true;
+        const Result<void> sound = checkSolids(model_);
+        return sound || failed(sound.error());
+    }
+
+    /// Volume and area of the model for the report, and whether the mesh may be begun.
+    bool measure()
+    {
+        const SolidVolume volume = volumeOf(model_);
+        if (volume.uncertainty <= kReportedUncertainty * volume.value) report().modelVolume = volume.value;
+        double area = 0.0;
+        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) area += areaOf(model_, model_.faces[BrepFaceId(i)]);
+        if (report().modelVolume) report().modelArea = area;
+        const Result<void> affordable = checkAffordable(estimateSolids(model_, options_, sizes_.get()), options_);
+        return affordable || failed(affordable.error());
     }
 
     bool prepare(std::shared_ptr<const SizingField> fromFiles)
@@ -241,6 +270,15 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
                        std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
     return SolidRun(model, options, context).meshSolids(std::move(fromFiles));
+}
+
+Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOptions& options,
+                                        std::shared_ptr<const SizingField> fromFiles)
+{
+    if (const Result<void> sound = checkSolids(model); !sound) return sound.error();
+    const Result<std::shared_ptr<const SizingField>> sizes = solidSizes(model, options, std::move(fromFiles));
+    if (!sizes) return sizes.error();
+    return estimateSolids(model, options, sizes->get());
 }
 
 MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,

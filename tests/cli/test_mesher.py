@@ -700,6 +700,21 @@ class TestOtherCommands(Case):
         triangles = json.loads((self.folder / "r.json").read_text())["counts"]["triangles"]
         self.assertTrue(triangles / 2 < elements < 2 * triangles, (elements, triangles))
 
+    def test_estimates_solids_and_refuses_too_many_elements(self):
+        box = DATA / "box.brep"
+        run = self.expect(0, "estimate", box, "--size", 0.1)
+        elements = float(re.search("elements: about (.*)", run.stdout).group(1))
+        self.expect(0, "mesh", box, "--size", 0.1, "-o", "m.msh", "--report", "r.json")
+        report = json.loads((self.folder / "r.json").read_text())
+        tets = report["counts"]["tets"]
+        self.assertTrue(tets / 2 < elements < 2 * tets, (elements, tets))
+        self.assertAlmostEqual(report["model"]["volume"], 6, delta=1e-6)
+        self.assertAlmostEqual(report["model"]["area"], 22, delta=1e-6)
+        few = ["--size", 0.1, "--max-elements", int(elements / 4)]
+        self.expect_refusal(1, ".*box.brep.*elements.*--max-elements.*", "estimate", box, *few)
+        self.expect_refusal(1, ".*elements.*--max-elements.*", "mesh", box, *few, "-o", "n.msh")
+        self.assertFalse((self.folder / "n.msh").exists())
+
     def test_draw(self):
         self.mesh_plate("-o", "m.vtu")
         self.expect(0, "draw", "m.vtu", "-o", "m.png", "--width", 300)
