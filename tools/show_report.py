@@ -23,6 +23,8 @@ def rows_of(report):
                 yield f"  {10 * i:3} to {10 * i + 10:3}", f"{'#' * max(1, round(60 * count / total))} {100 * count / total:.1f} %"
     if report["model"]["area"] is not None:
         yield "area", f"{report['mesh']['area']:.6g}, of the model {report['model']['area']:.6g} {report['model']['unit']}^2"
+    if report["model"]["volume"] is not None:
+        yield "volume", f"{report['mesh']['volume']:.6g}, of the model {report['model']['volume']:.6g} {report['model']['unit']}^3"
     for stage, seconds in report["seconds"].items():
         yield stage.replace("_", " "), f"{seconds:.3f} s"
     yield "mesh hash", report["mesh_hash"]

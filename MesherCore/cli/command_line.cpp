@@ -3,6 +3,9 @@
 #include "cli/option_reader.h"
 #include "cli/size_syntax.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -171,6 +174,28 @@ Result<MeshCommand> validated(const OptionReader& reader, MeshCommand command)
     return command;
 }
 
+/// "no", or an axis with or without a coordinate.
+void readCut(OptionReader& reader, const std::string& text, DrawingOptions& options)
+{
+    options.part = text == "no" ? DrawnPart::Surface : DrawnPart::Cut;
+    if (text == "no") return;
+    const std::size_t axis = std::string("xyz").find(text.front());
+    const char* last = text.data() + text.size();
+    double at = 0.0;
+    const bool hasCoordinate = text.size() > 1;
+    bool isSound = axis != std::string::npos;
+    if (hasCoordinate) {
+        const auto [end, code] =
+            std::from_chars(text.data() + std::min<std::size_t>(2, text.size()), last, at);
+        isSound = isSound && text[1] == '=' && code == std::errc() && end == last && std::isfinite(at);
+        options.cutAt = at;
+    }
+    options.cutAxis = axis;
+    if (!isSound)
+        reader.fail(
+            usageError("--cut wants no, x, y, z or an axis and a place, like x=2.5, not '" + text + "'"));
+}
+
 /// For the commands of few options.
 template <class Command, class Read>
 Result<Command> parseBy(std::span<const std::string> arguments, const po::options_description& options,
@@ -235,14 +260,18 @@ Result<InfoCommand> parseInfoCommand(std::span<const std::string> arguments)
 Result<DrawCommand> parseDrawCommand(std::span<const std::string> arguments)
 {
     po::options_description options;
-    options.add_options()("output,o", po::value<std::string>())("width", po::value<std::string>());
+    options.add_options()("output,o", po::value<std::string>())("width", po::value<std::string>())(
+        "cut", po::value<std::string>());
     return parseBy<DrawCommand>(arguments, options, [](OptionReader& reader) {
         DrawCommand command;
         command.mesh = reader.onlyInput("mesh");
         const std::optional<std::filesystem::path> picture = reader.path("output");
         if (!picture) reader.fail(usageError("the output is missing", "give -o PICTURE.png"));
         command.picture = picture.value_or(std::filesystem::path());
-        reader.read("width", command.width);
+        reader.read("width", command.options.width);
+        std::string cut;
+        reader.read("cut", cut);
+        if (!cut.empty()) readCut(reader, cut, command.options);
         return command;
     });
 }
@@ -255,7 +284,11 @@ std::string usageText()
             "  mesher info MODEL [--json]                        what the model is made of\n"
             "  mesher check MESH [--model MODEL] [--report FILE] check a mesh (.msh, .vtu) independently\n"
             "  mesher estimate MODEL [options]                   elements, memory and time before meshing\n"
-            "  mesher draw MESH -o PICTURE.png [--width PIXELS]  picture of a mesh\n"
+            "  mesher draw MESH -o PICTURE.png [--width PIXELS] [--cut no|AXIS[=PLACE]]\n"
+            "                                                    picture of a mesh; --cut: the surface "
+            "alone, or the\n"
+            "                                                    elements beyond a plane (x, y=2.5) instead "
+            "of both\n"
             "  mesher formats                                    the formats of -o and --format\n"
             "  mesher --version | --help\n\n"
          << meshingOptions() << '\n'

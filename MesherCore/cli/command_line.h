@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "io/draw_png.h"
 #include "pipeline/mesh_options.h"
 
 #include <filesystem>
@@ -47,7 +48,7 @@ struct DrawCommand
 {
     std::filesystem::path mesh;
     std::filesystem::path picture;
-    std::size_t width = 1600;
+    DrawingOptions options;
 };
 
 /// Each takes the arguments behind the name of the command, and refuses what it does not know or what makes no sense with

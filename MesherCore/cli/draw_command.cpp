@@ -11,9 +11,7 @@ ExitStatus runDraw(const DrawCommand& command, Console console)
     }
     const Result<MeshFile> file = readMesh(command.mesh);
     if (!file) return tell(file.error(), ExitStatus::Failed, console);
-    DrawingOptions options;
-    options.width = command.width;
-    const Result<Image> image = drawMesh(file.value().mesh, options);
+    const Result<Image> image = drawMesh(file.value().mesh, command.options);
     if (!image) return tell(image.error(), ExitStatus::Failed, console);
     Result<AtomicFile> target = AtomicFile::create(command.picture);
     if (!target) return tell(target.error(), ExitStatus::Failed, console);

@@ -7,13 +7,14 @@ namespace mesher {
 
 namespace {
 
-struct PixelRange
+double distanceToSegment(Vec2 p, Vec2 from, Vec2 direction, double squared)
 {
-    std::size_t first = 0;
-    std::size_t last = 0;  // one behind the last
-};
+    const double along = squared > 0.0 ? std::clamp(dot(p - from, direction) / squared, 0.0, 1.0) : 0.0;
+    return length(p - (from + along * direction));
+}
 
-/// The pixels whose centres are in [low, high], within `count`.
+}  // namespace
+
 PixelRange pixelsBetween(double low, double high, std::size_t count)
 {
     const double limit = static_cast<double>(count);
@@ -22,21 +23,13 @@ PixelRange pixelsBetween(double low, double high, std::size_t count)
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
 }
 
-void blend(Colour& pixel, Colour colour, double share)
+Colour mixed(Colour under, Colour over, double share)
 {
-    const auto mix = [share](std::uint8_t under, std::uint8_t over) {
-        return static_cast<std::uint8_t>(std::lround((1.0 - share) * under + share * over));
+    const auto mix = [share](std::uint8_t below, std::uint8_t above) {
+        return static_cast<std::uint8_t>(std::lround((1.0 - share) * below + share * above));
     };
-    pixel = {mix(pixel.red, colour.red), mix(pixel.green, colour.green), mix(pixel.blue, colour.blue)};
+    return {mix(under.red, over.red), mix(under.green, over.green), mix(under.blue, over.blue)};
 }
-
-double distanceToSegment(Vec2 p, Vec2 from, Vec2 direction, double squared)
-{
-    const double along = squared > 0.0 ? std::clamp(dot(p - from, direction) / squared, 0.0, 1.0) : 0.0;
-    return length(p - (from + along * direction));
-}
-
-}  // namespace
 
 void drawLine(Image& image, Vec2 from, Vec2 to, double width, Colour colour, double opacity)
 {
@@ -61,7 +54,8 @@ void drawLine(Image& image, Vec2 from, Vec2 to, double width, Colour colour, dou
         for (std::size_t x = columns.first; x < columns.last; ++x) {
             const Vec2 centre = {static_cast<double>(x) + 0.5, centreY};
             const double coverage = reach - distanceToSegment(centre, from, direction, squared);
-            if (coverage > 0.0) blend(image.at(x, y), colour, opacity * std::min(coverage, 1.0));
+            if (coverage <= 0.0) continue;
+            image.at(x, y) = mixed(image.at(x, y), colour, opacity * std::min(coverage, 1.0));
         }
     }
 }

@@ -4,8 +4,21 @@
 #include "io/png_file.h"
 
 #include <array>
+#include <cstddef>
 
 namespace mesher {
+
+struct PixelRange
+{
+    std::size_t first = 0;
+    std::size_t last = 0;  ///< one behind the last
+};
+
+/// The pixels, of a row or column of `count`, whose centres are in [low, high].
+[[nodiscard]] PixelRange pixelsBetween(double low, double high, std::size_t count);
+
+/// `over` laid on `under`, covering this share of it.
+[[nodiscard]] Colour mixed(Colour under, Colour over, double share);
 
 /// Draws a line with soft edges; `width` in pixels, `opacity` in (0, 1]. Pixel (x, y) has its centre at (x + 0.5, y + 0.5); what
 /// lies outside of the image is left away.

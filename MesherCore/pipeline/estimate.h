@@ -13,7 +13,7 @@ namespace mesher {
 /// What a run is going to take, told before it starts; good to a factor of about two.
 struct MeshEstimate
 {
-    double elements = 0.0;  ///< triangles
+    double elements = 0.0;  ///< triangles, or tetrahedra
     double bytes = 0.0;     ///< at the peak
     double seconds = 0.0;   ///< on one thread of an ordinary machine
 };

@@ -1,7 +1,10 @@
 #include "pipeline/mesh_solids.h"
 
+#include "brep/face_area.h"
+#include "brep/solid_volume.h"
 #include "mesh/region_sides.h"
 #include "pipeline/classify_solids.h"
+#include "pipeline/estimate_solids.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
@@ -19,6 +22,8 @@ namespace mesher {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double kReportedUncertainty = 1e-4;  // of the model's volume, relative
 
 double secondsSince(Clock::time_point start)
 {
@@ -225,6 +230,17 @@ Result<void> checkSolids(const BrepModel& model)
     return {};
 }
 
+/// Volume and area of the model, where they are known well enough.
+void tellMeasures(const BrepModel& model, MeshReport& report)
+{
+    const SolidVolume volume = volumeOf(model);
+    if (volume.uncertainty > kReportedUncertainty * volume.value) return;
+    report.modelVolume = volume.value;
+    double area = 0.0;
+    for (const BrepFace& face : model.faces) area += areaOf(model, face);
+    report.modelArea = area;
+}
+
 Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, const MeshOptions& options,
                                                         std::shared_ptr<const SizingField> fromFiles)
 {
@@ -296,6 +312,12 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome whole;
     whole.report.options = options;
+    tellMeasures(model, whole.report);
+    const Result<void> affordable = checkAffordable(estimateSolids(model, options, sizes->get()), options);
+    if (!affordable) {
+        fail(whole.report, affordable.error());
+        return whole;
+    }
     ClassifiedMesh mesh;
     bool isWhole = true;
     for (const ModelComponent& component : solidComponents(model)) {
@@ -309,6 +331,15 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     if (isWhole) whole.mesh = std::move(mesh);
     finish(options, whole);
     return whole;
+}
+
+Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOptions& options,
+                                        std::shared_ptr<const SizingField> fromFiles)
+{
+    if (const Result<void> sound = checkSolids(model); !sound) return sound.error();
+    const Result<std::shared_ptr<const SizingField>> sizes = solidSizes(model, options, std::move(fromFiles));
+    if (!sizes) return sizes.error();
+    return estimateSolids(model, options, sizes->get());
 }
 
 MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,

@@ -2,6 +2,7 @@
 
 #include "base/run_context.h"
 #include "brep/brep_model.h"
+#include "pipeline/estimate.h"
 #include "pipeline/mesh_options.h"
 #include "pipeline/mesh_outcome.h"
 #include "sizing/sizing_field.h"
@@ -14,10 +15,15 @@ namespace mesher {
 /// classifies and reports. A face between two solids is meshed once.
 /// Guarantees   a failure names its entity
 /// Refuses      a model without solids, shells that are open or overlap, and what solidSizes refuses; elements of second order,
-///              which are not there yet
+///              which are not there yet; what is expected to exceed the elements allowed by far
 /// Terminates   the limits on elements and time of the options hold for the run as a whole
 [[nodiscard]] MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
                                      std::shared_ptr<const SizingField> fromFiles, RunContext& context);
+
+/// What meshSolids is going to take.
+/// Refuses      a model without solids, shells that are open, and what solidSizes refuses
+[[nodiscard]] Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOptions& options,
+                                                      std::shared_ptr<const SizingField> fromFiles);
 
 /// Meshes all faces of a model as surfaces in space.
 [[nodiscard]] MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,

@@ -263,7 +263,7 @@ class TestSolids(Case):
         self.assertAlmostEqual(json.loads((self.folder / "r.json").read_text())["mesh"]["area"], 22.0, delta=1e-9)
 
     def test_limits(self):
-        self.expect_refusal(1, "limit of 2000 elements", "mesh", DATA / "box.brep", "--size", 0.05, "--max-elements", 2000, "-o", "m.msh")
+        self.expect_refusal(1, "limit of 2000 elements", "mesh", DATA / "box.brep", "--size", 0.3, "--max-elements", 2000, "-o", "m.msh")
         self.expect_refusal(1, "time limit", "mesh", DATA / "box.brep", "--size", 0.01, "--timeout", 0.2, "-o", "m.msh")
         self.assertFalse((self.folder / "m.msh").exists())
 
@@ -700,12 +700,38 @@ class TestOtherCommands(Case):
         triangles = json.loads((self.folder / "r.json").read_text())["counts"]["triangles"]
         self.assertTrue(triangles / 2 < elements < 2 * triangles, (elements, triangles))
 
+    def test_estimates_solids_and_refuses_too_many_elements(self):
+        box = DATA / "box.brep"
+        run = self.expect(0, "estimate", box, "--size", 0.1)
+        elements = float(re.search("elements: about (.*)", run.stdout).group(1))
+        self.expect(0, "mesh", box, "--size", 0.1, "-o", "m.msh", "--report", "r.json")
+        report = json.loads((self.folder / "r.json").read_text())
+        tets = report["counts"]["tets"]
+        self.assertTrue(tets / 2 < elements < 2 * tets, (elements, tets))
+        self.assertAlmostEqual(report["model"]["volume"], 6, delta=1e-6)
+        self.assertAlmostEqual(report["model"]["area"], 22, delta=1e-6)
+        few = ["--size", 0.1, "--max-elements", int(elements / 4)]
+        self.expect_refusal(1, ".*box.brep.*elements.*--max-elements.*", "estimate", box, *few)
+        self.expect_refusal(1, ".*elements.*--max-elements.*", "mesh", box, *few, "-o", "n.msh")
+        self.assertFalse((self.folder / "n.msh").exists())
+
     def test_draw(self):
         self.mesh_plate("-o", "m.vtu")
         self.expect(0, "draw", "m.vtu", "-o", "m.png", "--width", 300)
         header = (self.folder / "m.png").read_bytes()[:24]
         self.assertEqual(header[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(struct.unpack(">I", header[16:20])[0], 300)
+
+    def test_draws_solids_and_their_cuts(self):
+        self.expect(0, "mesh", DATA / "box.brep", "--size", 0.5, "-o", "m.vtu")
+        pictures = {}
+        for name, cut in (("both", []), ("surface", ["--cut", "no"]), ("x", ["--cut", "x"]), ("near", ["--cut", "x=0.9"])):
+            self.expect(0, "draw", "m.vtu", "-o", "m.png", "--width", 300, *cut)
+            pictures[name] = (self.folder / "m.png").read_bytes()
+            self.assertEqual(struct.unpack(">I", pictures[name][16:20])[0], 300)
+        self.assertEqual(len(set(pictures.values())), 4)
+        for cut in ("w", "x=", "x=a", "xy", "x:1", "no2"):
+            self.expect_refusal(2, ".*--cut.*", "draw", "m.vtu", "-o", "m.png", "--cut", cut)
 
     def test_help_version_and_formats(self):
         self.assertIn("--keep-partial", self.expect(0, "--help").stdout)

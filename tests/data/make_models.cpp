@@ -1,21 +1,31 @@
 // Writes the models that the tests of the program and the demonstration read, by Open CASCADE:
 // make_models TEST-FOLDER DEMO-FOLDER
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Plane.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Vec.hxx>
 
 #include <cmath>
 #include <cstdio>
@@ -145,6 +155,62 @@ TopoDS_Shape gasket()
                        rawFace({beadInside, reversed(volute(16.0, 8.0))})});
 }
 
+TopoDS_Shape roundBar(double x, double y, double z, double radius, double height)
+{
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0.0, 0.0, 1.0)), radius, height).Shape();
+}
+
+/// Rounds the edges that `isChosen` says, by the middle of each.
+TopoDS_Shape rounded(const TopoDS_Shape& shape, double radius,
+                     const std::function<bool(gp_Pnt, gp_Vec)>& isChosen)
+{
+    BRepFilletAPI_MakeFillet fillet(shape);
+    for (TopExp_Explorer edges(shape, TopAbs_EDGE); edges.More(); edges.Next()) {
+        double first = 0.0;
+        double last = 0.0;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(edges.Current()), first, last);
+        if (curve.IsNull()) continue;
+        gp_Pnt middle;
+        gp_Vec tangent;
+        curve->D1(0.5 * (first + last), middle, tangent);
+        if (isChosen(middle, tangent)) fillet.Add(radius, TopoDS::Edge(edges.Current()));
+    }
+    return fillet.Shape();
+}
+
+/// From the boss down to the plate, 6 mm thick, in the plane y = 0; `side` is 1 or -1.
+TopoDS_Shape rib(double side)
+{
+    const TopoDS_Wire outline = polygon({{side * 10.0, -3.0, 4.0},
+                                         {side * 38.0, -3.0, 4.0},
+                                         {side * 38.0, -3.0, 10.0},
+                                         {side * 10.0, -3.0, 27.0}},
+                                        true);
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline).Face(), gp_Vec(0.0, 6.0, 0.0)).Shape();
+}
+
+/// A bearing bracket, 100 mm x 60 mm x 34 mm: plate with rounded corners and four holes, bored boss with a fillet, two ribs.
+TopoDS_Shape bracket()
+{
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-50.0, -30.0, 0.0), 100.0, 60.0, 10.0).Shape();
+    const TopoDS_Shape plate =
+        rounded(block, 10.0, [](gp_Pnt, gp_Vec tangent) { return std::abs(tangent.Z()) > 0.5; });
+    const TopoDS_Shape withBoss = BRepAlgoAPI_Fuse(plate, roundBar(0.0, 0.0, 5.0, 16.0, 29.0)).Shape();
+    TopoDS_Shape shape = rounded(withBoss, 4.0, [](gp_Pnt middle, gp_Vec) {
+        return std::abs(middle.Z() - 10.0) < 1e-6 &&
+               std::abs(std::hypot(middle.X(), middle.Y()) - 16.0) < 1e-6;
+    });
+    for (const double side : {-1.0, 1.0}) shape = BRepAlgoAPI_Fuse(shape, rib(side)).Shape();
+    shape = BRepAlgoAPI_Cut(shape, roundBar(0.0, 0.0, -1.0, 9.0, 40.0)).Shape();
+    for (const double x : {-40.0, 40.0}) {
+        for (const double y : {-20.0, 20.0})
+            shape = BRepAlgoAPI_Cut(shape, roundBar(x, y, -1.0, 4.5, 20.0)).Shape();
+    }
+    ShapeUpgrade_UnifySameDomain unify(shape);
+    unify.Build();
+    return TopExp_Explorer(unify.Shape(), TopAbs_SOLID).Current();
+}
+
 TopoDS_Shape wallOfCylinder()
 {
     const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape();
@@ -166,6 +232,18 @@ bool write(const TopoDS_Shape& shape, const std::string& path)
     return false;
 }
 
+bool writeStep(const TopoDS_Shape& shape, const std::string& path)
+{
+    STEPControl_Writer writer;
+    Interface_Static::SetCVal("write.step.product.name", "bracket");
+    if (writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone &&
+        writer.Write(path.c_str()) == IFSelect_RetDone) {
+        return true;
+    }
+    std::fprintf(stderr, "make_models: %s cannot be written\n", path.c_str());
+    return false;
+}
+
 }  // namespace
 
 int main(int count, char** arguments)
@@ -179,6 +257,8 @@ int main(int count, char** arguments)
     const std::vector<gp_Pnt> onLine = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
     const std::vector<gp_Pnt> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const bool isWritten = write(gasket(), demos + "gasket.brep") &&
+                           write(bracket(), demos + "bracket.brep") &&
+                           writeStep(bracket(), demos + "bracket.step") &&
                            write(rawFace({polygon(square, false)}), tests + "open_wire.brep") &&
                            write(rawFace({polygon(bowTie, true)}), tests + "crossing_wire.brep") &&
                            write(rawFace({polygon(onLine, true)}), tests + "no_area.brep") &&

@@ -1,0 +1,71 @@
+#include "pipeline/estimate_solids.h"
+
+#include "brep/analytic/axes.h"
+#include "brep/analytic/solids.h"
+#include "pipeline/mesh_solids.h"
+
+#include <gtest/gtest.h>
+
+namespace mesher {
+namespace {
+
+/// The estimate is within a factor of two of what meshing makes.
+void expectGoodEstimate(const BrepModel& model, const MeshOptions& options)
+{
+    const Result<MeshEstimate> estimate = estimateSolidModel(model, options, nullptr);
+    ASSERT_TRUE(estimate);
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+    ASSERT_TRUE(outcome.mesh);
+    const double real = static_cast<double>(outcome.mesh->tets.size());
+    EXPECT_GT(estimate.value().elements, 0.5 * real);
+    EXPECT_LT(estimate.value().elements, 2.0 * real);
+}
+
+TEST(EstimateSolids, IsNearTheMeshOfAUniformSize)
+{
+    MeshOptions options;
+    options.size = 0.08;
+    expectGoodEstimate(makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}).value(), options);
+    expectGoodEstimate(makeCylinder(Axes{}, 0.5, 1.0).value(), options);
+}
+
+TEST(EstimateSolids, FollowsASizeThatVariesInSpace)
+{
+    MeshOptions options;
+    options.size = 0.2;
+    options.sizeFormula = "0.03 + 0.2*x";
+    expectGoodEstimate(makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}).value(), options);
+}
+
+TEST(EstimateSolids, FollowsCurvature)
+{
+    MeshOptions options;
+    options.curvature = 40.0;
+    expectGoodEstimate(makeTorus(Axes{}, 3.0, 1.0).value(), options);
+}
+
+TEST(EstimateSolids, RefusesAMeshThatIsTooLargeBeforeItIsBegun)
+{
+    MeshOptions options;
+    options.size = 1e-4;
+    const BrepModel model = makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}).value();
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+    EXPECT_FALSE(outcome.mesh);
+    ASSERT_EQ(outcome.report.failures.size(), 1u);
+    EXPECT_EQ(outcome.report.failures[0].code, ErrorCode::OutOfRange);
+    EXPECT_TRUE(outcome.report.seconds.empty());
+}
+
+TEST(EstimateSolids, WantsSolids)
+{
+    BrepModel model = makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}).value();
+    model.solids[BrepSolidId(0)].shells[0].isClosed = false;
+    EXPECT_FALSE(estimateSolidModel(model, {}, nullptr));
+    model.solids = {};
+    EXPECT_FALSE(estimateSolidModel(model, {}, nullptr));
+}
+
+}  // namespace
+}  // namespace mesher
