@@ -47,7 +47,8 @@ Result<void> checkSolids(const BrepModel& model)
     for (std::uint32_t i = 0; i < model.solids.size(); ++i) {
         for (const BrepShell& shell : model.solids[BrepSolidId(i)].shells) {
             if (shell.isClosed) continue;
-            const std::string face = shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
+            const std::string face =
+                shell.faces.empty() ? std::string("none") : nameOf(shell.faces.front().face);
             return Error{ErrorCode::InvalidArgument,
                          "has an open shell, that of " + face,
                          nameOf(BrepSolidId(i)),
@@ -70,7 +71,8 @@ public:
 
     MeshOutcome meshSolids(std::shared_ptr<const SizingField> fromFiles)
     {
-        if (checkModel() && prepare(std::move(fromFiles)) && measure() && sample() && tetrahedralizeSample() && refine())
+        if (checkModel() && prepare(std::move(fromFiles)) && measure() && sample() &&
+            tetrahedralizeSample() && refine())
             classify();
         return std::move(outcome_);
     }
@@ -104,15 +106,18 @@ private:
         const SolidVolume volume = volumeOf(model_);
         if (volume.uncertainty <= kReportedUncertainty * volume.value) report().modelVolume = volume.value;
         double area = 0.0;
-        for (std::uint32_t i = 0; i < model_.faces.size(); ++i) area += areaOf(model_, model_.faces[BrepFaceId(i)]);
+        for (std::uint32_t i = 0; i < model_.faces.size(); ++i)
+            area += areaOf(model_, model_.faces[BrepFaceId(i)]);
         if (report().modelVolume) report().modelArea = area;
-        const Result<void> affordable = checkAffordable(estimateSolids(model_, options_, sizes_.get()), options_);
+        const Result<void> affordable =
+            checkAffordable(estimateSolids(model_, options_, sizes_.get()), options_);
         return affordable || failed(affordable.error());
     }
 
     bool prepare(std::shared_ptr<const SizingField> fromFiles)
     {
-        if (options_.order != 1) return failed(notYet("--order 2", "is not yet there for solids and faces in space"));
+        if (options_.order != 1)
+            return failed(notYet("--order 2", "is not yet there for solids and faces in space"));
         Result<RegionSides> sides = regionSidesOf(model_);
         if (!sides) return failed(sides.error());
         sides_ = std::move(sides).value();
@@ -166,9 +171,10 @@ private:
         if (!made) return failed(made.error());
         tetrahedralization_ = std::move(made).value();
         tellRecovery();
+        // What a limit left unrecovered is no fault of the model.
+        if (!mayGoOn(tetrahedralization_.stopReason)) return false;
         for (const Error& error : tetrahedralization_.failures) fail(report(), error);
-        if (!tetrahedralization_.failures.empty()) return false;
-        return mayGoOn(tetrahedralization_.stopReason);
+        return tetrahedralization_.failures.empty();
     }
 
     void tellRecovery()
