@@ -120,9 +120,10 @@ private:
         if (!made) return failed(made.error());
         tetrahedralization_ = std::move(made).value();
         tellRecovery();
+        // What a limit left unrecovered is no fault of the model.
+        if (!mayGoOn(tetrahedralization_.stopReason)) return false;
         for (const Error& error : tetrahedralization_.failures) fail(report(), error);
-        if (!tetrahedralization_.failures.empty()) return false;
-        return mayGoOn(tetrahedralization_.stopReason);
+        return tetrahedralization_.failures.empty();
     }
 
     void tellRecovery()
