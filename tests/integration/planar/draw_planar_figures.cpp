@@ -31,7 +31,7 @@ ClassifiedMesh meshOf(const MeshedFigure& meshed)
     PlanarCurveComplex complex = meshed.figure.complex;
     for (std::uint32_t i = 0; i < complex.regionNames.size(); ++i)
         complex.regionNames[i] = nameOf(BrepFaceId(i));
-    constexpr int kBoundaryOrder = 1;
+    constexpr int kBoundaryOrder = 2;
     return classifyPlanar(complex, meshed.result.triangulation, kBoundaryOrder).mesh;
 }
 
