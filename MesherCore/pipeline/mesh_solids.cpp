@@ -24,6 +24,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kReportedUncertainty = 1e-4;  // of the model's volume, relative
+constexpr double kLargestMinAngle = 34.0;      // degrees, see FacetCriteriaOptions
 
 double secondsSince(Clock::time_point start)
 {
@@ -82,7 +83,8 @@ private:
         sampling.curves.sizes = sizes_.get();
         sampling.curves.segmentsPerTurn = options_.curvature;
         sampling.curves.maxSag = options_.sag;
-        sampling.facets.minAngle = std::min(options_.minAngle, 34.0);
+        sampling.curves.maxVariation = std::min(options_.maxTurn, sampling.curves.maxVariation);
+        sampling.facets.minAngle = options_.minAngle;
         sampling.facets.elementsPerTurn = options_.curvature;
         sampling.facets.maxSag = options_.sag;
         sampling.facets.sizes = sizes_.get();
@@ -246,6 +248,13 @@ Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, 
                                                         std::shared_ptr<const SizingField> fromFiles)
 {
     if (options.order != 1) return notYet("--order 2", "is not yet there for solids and faces in space");
+    if (options.minAngle > kLargestMinAngle) {
+        return Error{ErrorCode::InvalidArgument,
+                     "cannot be above 34 degrees on faces in space",
+                     "--min-angle",
+                     {},
+                     "give an angle from 0 to 34"};
+    }
     return solidSizes(model, options, std::move(fromFiles));
 }
 
@@ -313,6 +322,8 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome whole;
     whole.report.options = options;
+    if (options.refinement != 1.0)
+        whole.report.warnings.push_back("--refinement has no effect on solids yet");
     tellMeasures(model, whole.report);
     const Result<void> affordable = checkAffordable(estimateSolids(model, options, sizes->get()), options);
     if (!affordable) {

@@ -16,7 +16,7 @@ namespace mesher {
 /// Guarantees   a failure names its entity
 /// Refuses      a model without solids, shells that are open or overlap, and what solidSizes refuses; elements of second order,
 ///              which are not there yet; what is expected to exceed the elements allowed by far
-/// Terminates   the limits on elements and time of the options hold for the run as a whole
+/// Terminates   the limit on time holds for the run as a whole, that on elements for each group of solids that share nothing
 [[nodiscard]] MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
                                      std::shared_ptr<const SizingField> fromFiles, RunContext& context);
 

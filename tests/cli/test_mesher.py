@@ -257,6 +257,11 @@ class TestSolids(Case):
             counts.append(json.loads((self.folder / "r.json").read_text())["counts"]["tets"])
         self.assertGreater(counts[1], 3 * counts[0])
 
+    def test_what_solids_do_not_take_is_told(self):
+        self.expect_refusal(1, "--min-angle: cannot be above 34", "mesh", DATA / "box.brep", "--size", 0.5, "--min-angle", 40, "-o", "m.msh")
+        run = self.expect(0, "mesh", DATA / "box.brep", "--size", 0.5, "--refinement", 2, "-o", "m.msh")
+        self.assertIn("--refinement has no effect", run.stderr)
+
     def test_faces_in_space(self):
         self.expect(0, "mesh", DATA / "cylinder_wall.brep", "--dimension", 2, "--size", 0.3, "--check", "-o", "m.msh")
         self.expect(0, "mesh", DATA / "box.brep", "--dimension", 2, "--size", 0.3, "--check", "-o", "b.msh", "--report", "r.json")
