@@ -2,6 +2,7 @@
 
 #include "brep/face_area.h"
 #include "brep/solid_volume.h"
+#include "improvement/improve_mesh.h"
 #include "mesh/region_sides.h"
 #include "pipeline/classify_solids.h"
 #include "pipeline/estimate_solids.h"
@@ -49,8 +50,10 @@ public:
 
     MeshOutcome meshSolids()
     {
-        if (findSides() && sample() && tetrahedralizeSample() && refine())
+        if (findSides() && sample() && tetrahedralizeSample() && refine()) {
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
+            if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
+        }
         return std::move(outcome_);
     }
 
@@ -176,6 +179,36 @@ private:
         add("refused_facets", counts.refusedFacets);
         add("tets_left", refined.left.size());
         add("tets_left_beside_small_angles", refined.leftForSmallAngles);
+    }
+
+    void improve()
+    {
+        ImprovementOptions improvement;
+        improvement.limits.maxTime = timeLeft();
+        const Clock::time_point start = Clock::now();
+        const Result<Improvement> improved = improveMesh(*outcome_.mesh, model_, improvement, context_);
+        addSeconds("improvement", start);
+        if (!improved) {
+            failed(improved.error());
+            return;
+        }
+        tellImprovement(improved.value());
+        const StopReason reason = improved->stopReason;
+        tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+    }
+
+    void tellImprovement(const Improvement& improved)
+    {
+        const ImprovementCounts& counts = improved.counts;
+        add("bad_tets_before_improvement", counts.badBefore);
+        add("bad_tets_after_improvement", counts.badAfter);
+        add("edge_removals", counts.edgeRemovals);
+        add("face_removals", counts.faceRemovals);
+        add("boundary_swaps", counts.boundarySwaps);
+        add("contractions", counts.contractions);
+        add("inner_moves", counts.innerMoves);
+        add("face_moves", counts.faceMoves);
+        add("edge_moves", counts.edgeMoves);
     }
 
     bool mayGoOn(StopReason reason)

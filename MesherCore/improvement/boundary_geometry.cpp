@@ -1,0 +1,329 @@
+#include "improvement/boundary_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mesher {
+
+namespace {
+
+constexpr double kNodeDistance = 1e-7;  // model units, of a node from adjoining faces
+constexpr double kSlack = 1e-9;         // relative, for rounding
+
+double intoPeriod(double value, double start, double period)
+{
+    return period > 0.0 ? value - period * std::floor((value - start) / period) : value;
+}
+
+double leastAngleOf(const std::array<Vec3, 3>& p)
+{
+    double least = 4.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 a = p[(k + 1) % 3] - p[k];
+        const Vec3 b = p[(k + 2) % 3] - p[k];
+        least = std::min(least, std::atan2(length(cross(a, b)), dot(a, b)));
+    }
+    return least;
+}
+
+/// Of a chord whose ends have these unit normals or tangents, as if the curvature were the same all along.
+double sagOf(const Vec3& chord, const Vec3& first, const Vec3& last)
+{
+    return 0.125 * length(chord) * length(last - first);
+}
+
+}  // namespace
+
+BoundaryGeometry::BoundaryGeometry(const BrepModel& model, const TetComplex& complex)
+    : model_(model),
+      complex_(complex),
+      surfaces_(model.faces.size()),
+      curves_(model.edges.size()),
+      corners_(complex.facetLimit())
+{
+}
+
+const Surface& BoundaryGeometry::surface(std::uint32_t face) const
+{
+    auto& own = surfaces_[face];
+    if (!own) own = model_.faces[BrepFaceId(face)].surface->clone();
+    return *own;
+}
+
+const Curve& BoundaryGeometry::curve(std::uint32_t edge) const
+{
+    auto& own = curves_[edge];
+    if (!own) own = model_.edges[BrepEdgeId(edge)].curve->clone();
+    return *own;
+}
+
+bool BoundaryGeometry::isPlane(std::uint32_t face) const
+{
+    return model_.faces[BrepFaceId(face)].surface->kind() == SurfaceKind::Plane;
+}
+
+SurfaceCorner BoundaryGeometry::cornerAt(std::uint32_t face, Vec2 uv) const
+{
+    constexpr double kSingular = 1e-9;
+    const SurfacePoint point = surface(face).evaluate(uv);
+    const Vec3 normal = point.normal();
+    const double size = length(normal);
+    if (!(size > kSingular * length(point.du) * length(point.dv))) return {uv, {}};
+    return {uv, (1.0 / size) * normal};
+}
+
+/// A node of an edge or vertex is looked for from a corner inside the face, which has parameters of the face.
+SurfaceCorner BoundaryGeometry::find(FacetId f, std::size_t k) const
+{
+    constexpr double kFar = 1e-3;  // of the facet's side, from where the seed led
+    const std::uint32_t face = complex_.face(f);
+    const FacetNodes& nodes = complex_.nodes(f);
+    const EntityRef own{2, face};
+    const MeshNode& node = complex_.node(nodes[k]);
+    if (node.entity == own) return cornerAt(face, node.parameters);
+    if (isPlane(face)) return cornerAt(face, {});
+    for (std::size_t i = 1; i < 3; ++i) {
+        const MeshNode& other = complex_.node(nodes[(k + i) % 3]);
+        if (!(other.entity == own)) continue;
+        const SurfaceProjection found = surface(face).project(node.position, other.parameters);
+        if (found.distance > kFar * length(other.position - node.position)) continue;
+        return cornerAt(face, found.parameters);
+    }
+    return cornerAt(face, surface(face).project(node.position).parameters);
+}
+
+const BoundaryGeometry::Corners& BoundaryGeometry::cornersOf(FacetId f)
+{
+    Corners& known = corners_[f];
+    if (known.side != 0.0) return known;
+    const FacetNodes& v = complex_.nodes(f);
+    const Vec3 own = cross(complex_.position(v[1]) - complex_.position(v[0]),
+                           complex_.position(v[2]) - complex_.position(v[0]));
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        known.corner[k] = find(f, k);
+        sum += dot(own, known.corner[k].normal);
+    }
+    known.side = sum < 0.0 ? -1.0 : 1.0;
+    return known;
+}
+
+// ---- places on the exact geometry ------------------------------------------------------------------------------------
+
+std::optional<Vec3> BoundaryGeometry::tangentAt(std::uint32_t edge, double t) const
+{
+    const Vec3 d1 = curve(edge).evaluate(t).d1;
+    const double speed = length(d1);
+    if (!(speed > 0.0)) return {};
+    return (1.0 / speed) * d1;
+}
+
+std::optional<Vec3> BoundaryGeometry::tangent(NodeId n) const
+{
+    const MeshNode& node = complex_.node(n);
+    if (model_.edges[BrepEdgeId(node.entity.index)].isDegenerate) return {};
+    return tangentAt(node.entity.index, node.parameters.x);
+}
+
+std::optional<Vec3> BoundaryGeometry::normal(NodeId n) const
+{
+    const MeshNode& node = complex_.node(n);
+    const Vec3 normal = cornerAt(node.entity.index, node.parameters).normal;
+    if (squaredLength(normal) == 0.0) return {};
+    return normal;
+}
+
+bool BoundaryGeometry::moveOnFace(const MeshNode& node, const Vec3& target, BoundaryMove& move) const
+{
+    const BrepFace& face = model_.faces[BrepFaceId(node.entity.index)];
+    const Surface& own = surface(node.entity.index);
+    const Vec2 uv = own.project(target, node.parameters).parameters;
+    move.parameters = {intoPeriod(uv.x, face.boundsU.first, own.periodU()),
+                       intoPeriod(uv.y, face.boundsV.first, own.periodV())};
+    move.position = own.position(move.parameters);
+    return isFinite(move.position);
+}
+
+bool BoundaryGeometry::moveOnCurve(const MeshNode& node, const Vec3& target, BoundaryMove& move) const
+{
+    const BrepEdge& edge = model_.edges[BrepEdgeId(node.entity.index)];
+    const Vec3 d1 = curve(node.entity.index).evaluate(node.parameters.x).d1;
+    const double t = node.parameters.x + dot(target - node.position, d1) / squaredLength(d1);
+    if (!(edge.part.first < t && t < edge.part.last)) return false;
+    move.parameters = {t, 0.0};
+    move.position = curve(node.entity.index).position(t);
+    return isFinite(move.position);
+}
+
+/// The corners of the facets at a node that has moved; false if it is off one of their faces.
+bool BoundaryGeometry::findCorners(BoundaryMove& move)
+{
+    const MeshNode& node = complex_.node(move.node);
+    const bool isOnEdge = node.entity.dimension == 1;
+    const double allowed =
+        isOnEdge ? std::max(kNodeDistance, model_.edges[BrepEdgeId(node.entity.index)].tolerance) : 0.0;
+    move.corners.clear();
+    const auto facets = complex_.facets(move.node);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        const std::uint32_t face = complex_.face(facets[i]);
+        const auto same = std::find_if(facets.begin(), facets.begin() + static_cast<std::ptrdiff_t>(i),
+                                       [&](FacetId f) { return complex_.face(f) == face; });
+        if (same != facets.begin() + static_cast<std::ptrdiff_t>(i)) {
+            move.corners.push_back(move.corners[static_cast<std::size_t>(same - facets.begin())]);
+        } else if (!isOnEdge) {
+            move.corners.push_back(cornerAt(face, move.parameters));
+        } else {
+            const FacetNodes& v = complex_.nodes(facets[i]);
+            const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), move.node) - v.begin());
+            const SurfaceProjection found =
+                surface(face).project(move.position, cornersOf(facets[i]).corner[k].parameters);
+            if (!(found.distance <= allowed)) return false;
+            move.corners.push_back(cornerAt(face, found.parameters));
+        }
+    }
+    return true;
+}
+
+bool BoundaryGeometry::evaluateMove(NodeId n, const Vec3& target, BoundaryMove& move)
+{
+    const MeshNode& node = complex_.node(n);
+    move.node = n;
+    return node.entity.dimension == 2 ? moveOnFace(node, target, move) : moveOnCurve(node, target, move);
+}
+
+// ---- how well triangles follow ---------------------------------------------------------------------------------------
+
+void BoundaryGeometry::judge(const std::array<Vec3, 3>& p, const Corners& corners, Fidelity& fidelity) const
+{
+    const Vec3 doubleArea = cross(p[1] - p[0], p[2] - p[0]);
+    const double size = length(doubleArea);
+    fidelity.leastAngle = std::min(fidelity.leastAngle, leastAngleOf(p));
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& normal = corners.corner[k].normal;
+        const Vec3& next = corners.corner[(k + 1) % 3].normal;
+        if (squaredLength(normal) == 0.0) continue;
+        const double cosine = size > 0.0 ? corners.side * dot(doubleArea, normal) / size : -1.0;
+        fidelity.agreement = std::min(fidelity.agreement, cosine);
+        if (squaredLength(next) == 0.0) continue;
+        fidelity.sag = std::max(fidelity.sag, sagOf(p[(k + 1) % 3] - p[k], normal, next));
+    }
+}
+
+bool BoundaryGeometry::isWorse(const Fidelity& after, const Fidelity& before) const
+{
+    constexpr double kLeastAngle = kLeastFacetAngle * std::numbers::pi / 180.0;
+    constexpr double kLeastAgreement = 0.1;
+    return after.agreement < std::max(before.agreement - kSlack, kLeastAgreement) ||
+           after.sag > before.sag + kSlack * (before.sag + kNodeDistance) ||
+           after.leastAngle < std::min(before.leastAngle, kLeastAngle);
+}
+
+/// Of a neighbour on the edge's lines; its end of the edge if the neighbour is a vertex of the model.
+std::optional<double> BoundaryGeometry::parameterOn(std::uint32_t edge, NodeId n, double near) const
+{
+    const MeshNode& node = complex_.node(n);
+    if (node.entity == EntityRef{1, edge}) return node.parameters.x;
+    if (node.entity.dimension != 0) return {};
+    const BrepEdge& own = model_.edges[BrepEdgeId(edge)];
+    if (own.isClosed()) return near - own.part.first < own.part.last - near ? own.part.first : own.part.last;
+    return own.first == BrepVertexId(node.entity.index) ? own.part.first : own.part.last;
+}
+
+/// Whether the chords at a node of an edge stay as near to their curve as the worse of them is.
+bool BoundaryGeometry::keepsChords(const BoundaryMove& move) const
+{
+    const MeshNode& node = complex_.node(move.node);
+    const std::uint32_t edge = node.entity.index;
+    if (curve(edge).kind() == CurveKind::Line) return true;
+    const std::optional<Vec3> oldTangent = tangentAt(edge, node.parameters.x);
+    const std::optional<Vec3> newTangent = tangentAt(edge, move.parameters.x);
+    if (!oldTangent || !newTangent) return false;
+    double before = 0.0;
+    double after = 0.0;
+    for (const NodeId other : complex_.lines(move.node)) {
+        const std::optional<double> t = parameterOn(edge, other, node.parameters.x);
+        if (!t) return false;
+        const std::optional<Vec3> there = tangentAt(edge, *t);
+        if (!there) return false;
+        before = std::max(before, sagOf(complex_.position(other) - node.position, *oldTangent, *there));
+        after = std::max(after, sagOf(complex_.position(other) - move.position, *newTangent, *there));
+    }
+    return after <= before + kSlack * (before + kNodeDistance);
+}
+
+bool BoundaryGeometry::allows(BoundaryMove& move)
+{
+    if (complex_.node(move.node).entity.dimension == 1 && !keepsChords(move)) return false;
+    if (!findCorners(move)) return false;
+    Fidelity before;
+    Fidelity after;
+    const auto facets = complex_.facets(move.node);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        Corners corners = cornersOf(facets[i]);
+        const FacetNodes& v = complex_.nodes(facets[i]);
+        std::array<Vec3, 3> points = {complex_.position(v[0]), complex_.position(v[1]), complex_.position(v[2])};
+        judge(points, corners, before);
+        const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), move.node) - v.begin());
+        points[k] = move.position;
+        corners.corner[k] = move.corners[i];
+        judge(points, corners, after);
+    }
+    return !isWorse(after, before);
+}
+
+void BoundaryGeometry::commit(const BoundaryMove& move)
+{
+    const auto facets = complex_.facets(move.node);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        const FacetNodes& v = complex_.nodes(facets[i]);
+        const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), move.node) - v.begin());
+        corners_[facets[i]].corner[k] = move.corners[i];
+    }
+}
+
+// ---- swaps -----------------------------------------------------------------------------------------------------------
+
+bool BoundaryGeometry::arrange(const std::array<FacetId, 2>& facets, const FacetNodes& after, Corners& corners)
+{
+    corners.side = cornersOf(facets[0]).side;
+    if (cornersOf(facets[1]).side != corners.side) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (const FacetId f : facets) {
+            const FacetNodes& v = complex_.nodes(f);
+            const auto at = std::find(v.begin(), v.end(), after[k]);
+            if (at != v.end())
+                corners.corner[k] = cornersOf(f).corner[static_cast<std::size_t>(at - v.begin())];
+        }
+    }
+    return true;
+}
+
+bool BoundaryGeometry::allowsSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after)
+{
+    Fidelity old;
+    Fidelity made;
+    const auto pointsOf = [&](const FacetNodes& v) {
+        return std::array<Vec3, 3>{complex_.position(v[0]), complex_.position(v[1]), complex_.position(v[2])};
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        Corners corners;
+        if (!arrange(facets, after[i], corners)) return false;
+        judge(pointsOf(after[i]), corners, made);
+        judge(pointsOf(complex_.nodes(facets[i])), cornersOf(facets[i]), old);
+    }
+    return !isWorse(made, old);
+}
+
+void BoundaryGeometry::commitSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after)
+{
+    std::array<Corners, 2> made;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool isArranged = arrange(facets, after[i], made[i]);
+        MESHER_INVARIANT(isArranged);
+        static_cast<void>(isArranged);
+    }
+    for (std::size_t i = 0; i < 2; ++i) corners_[facets[i]] = made[i];
+}
+
+}  // namespace mesher

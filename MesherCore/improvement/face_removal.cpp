@@ -1,0 +1,130 @@
+#include "improvement/face_removal.h"
+
+#include "improvement/dihedral_score.h"
+
+#include <algorithm>
+
+namespace mesher {
+
+namespace {
+
+constexpr int kMostFaces = 6;
+
+/// Slots of the nodes of the face opposite to slot i, counter-clockwise as seen from it.
+constexpr std::array<std::array<std::size_t, 3>, 4> kFaceSlots = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+
+/// Grows the set of faces between two nodes from one of them, depth first, as long as the least score of the ring around
+/// the new edge rises by it.
+class FaceSet
+{
+public:
+    FaceSet(const TetComplex& complex, NodeId above, NodeId below, LocalChange& change)
+        : complex_(complex), above_(above), below_(below), change_(change)
+    {
+    }
+
+    /// False as soon as the upper tetrahedron is not made better.
+    bool start(const FacetNodes& face, TetId upper, TetId lower)
+    {
+        addPair(upper, lower);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double value = addSide(face[k], face[(k + 1) % 3], upper, lower);
+            change_.score = k == 0 ? value : std::min(change_.score, value);
+            if (!isBetter(change_.score, complex_.score(upper))) return false;
+        }
+        return true;
+    }
+
+private:
+    void addPair(TetId upper, TetId lower)
+    {
+        change_.removed[0].push_back(upper);
+        change_.removed[0].push_back(lower);
+        ++faces_;
+    }
+
+    /// Closes the ring at a side of the last face, or goes on to the face behind it, whichever is better; returns the least score
+    /// of the tetrahedra that come here.
+    double addSide(NodeId p, NodeId q, TetId upper, TetId lower)
+    {
+        const TetNodes closing{p, q, below_, above_};
+        const double closed = dihedralScore(complex_.corners(closing));
+        const std::size_t removedBefore = change_.removed[0].size();
+        const std::size_t addedBefore = change_.added[0].size();
+        const double open = goOn(p, q, upper, lower, closed);
+        if (open > closed) return open;
+        faces_ -= static_cast<int>((change_.removed[0].size() - removedBefore) / 2);
+        change_.removed[0].resize(removedBefore);
+        change_.added[0].resize(addedBefore);
+        change_.added[0].push_back(closing);
+        return closed;
+    }
+
+    double goOn(NodeId p, NodeId q, TetId upper, TetId lower, double atLeast)
+    {
+        if (faces_ >= kMostFaces || complex_.isOnSurface(p, q)) return 0.0;
+        const TetId nextUpper = complex_.tetBeside(p, q, above_, upper);
+        const TetId nextLower = complex_.tetBeside(p, q, below_, lower);
+        if (!nextUpper.isValid() || !nextLower.isValid() || nextUpper == nextLower) return 0.0;
+        if (isTaken(nextUpper) || isTaken(nextLower)) return 0.0;
+        const NodeId x = fourth(nextUpper, p, q, above_);
+        if (x == below_ || x != fourth(nextLower, p, q, below_)) return 0.0;
+        addPair(nextUpper, nextLower);
+        const double first = addSide(p, x, nextUpper, nextLower);
+        if (first <= atLeast) return 0.0;
+        return std::min(first, addSide(x, q, nextUpper, nextLower));
+    }
+
+    [[nodiscard]] bool isTaken(TetId t) const
+    {
+        const auto& list = change_.removed[0];
+        return std::find(list.begin(), list.end(), t) != list.end();
+    }
+    [[nodiscard]] NodeId fourth(TetId t, NodeId a, NodeId b, NodeId c) const
+    {
+        for (const NodeId n : complex_.nodes(t)) {
+            if (n != a && n != b && n != c) return n;
+        }
+        return {};
+    }
+
+    const TetComplex& complex_;
+    NodeId above_;
+    NodeId below_;
+    LocalChange& change_;
+    int faces_ = 0;
+};
+
+bool isFacet(const TetComplex& complex, const FacetNodes& face)
+{
+    for (const FacetId f : complex.facets(face[0])) {
+        const FacetNodes& v = complex.nodes(f);
+        if (std::is_permutation(v.begin(), v.end(), face.begin())) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool evaluateFaceRemoval(const TetComplex& complex, TetId tet, std::size_t opposite, LocalChange& change)
+{
+    change.clear();
+    const TetNodes& v = complex.nodes(tet);
+    const auto& slots = kFaceSlots[opposite];
+    const FacetNodes face = {v[slots[0]], v[slots[1]], v[slots[2]]};
+    const TetId other = complex.tetBeside(face[0], face[1], face[2], tet);
+    if (!other.isValid() || isFacet(complex, face)) return false;
+    NodeId below;
+    for (const NodeId n : complex.nodes(other)) {
+        if (std::find(face.begin(), face.end(), n) == face.end()) below = n;
+    }
+    FaceSet set(complex, v[opposite], below, change);
+    if (!set.start(face, tet, other)) return false;
+    change.before = complex.score(tet);
+    for (const TetId t : change.removed[0]) change.before = std::min(change.before, complex.score(t));
+    if (!isBetter(change.score, change.before)) return false;
+    return std::all_of(change.added[0].begin(), change.added[0].end(),
+                       [&](const TetNodes& nodes) { return complex.isPositive(nodes); });
+}
+
+}  // namespace mesher

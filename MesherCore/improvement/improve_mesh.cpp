@@ -1,0 +1,212 @@
+#include "improvement/improve_mesh.h"
+
+#include "improvement/dihedral_score.h"
+#include "improvement/edge_contraction.h"
+#include "improvement/face_removal.h"
+#include "improvement/vertex_smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace mesher {
+
+namespace {
+
+class ImprovementRun
+{
+public:
+    ImprovementRun(TetComplex& complex, const BrepModel& model, const ImprovementOptions& options, Budget& budget,
+                   RunContext& context)
+        : complex_(complex),
+          geometry_(model, complex),
+          smoothing_(complex, geometry_, options.boundary),
+          options_(options),
+          budget_(budget),
+          context_(context),
+          target_(std::sin(options.wantedAngle * std::numbers::pi / 180.0))
+    {
+    }
+
+    Improvement run()
+    {
+        result_.scoreBefore = leastScore();
+        result_.counts.badBefore = badCount();
+        while (result_.counts.passes < static_cast<std::uint64_t>(options_.maxPasses) && pass()) {}
+        result_.scoreAfter = leastScore();
+        result_.counts.badAfter = badCount();
+        result_.stopReason = budget_.stopReason(result_.counts.badAfter == 0 ? StopReason::Done
+                                                                             : StopReason::CannotImprove);
+        return result_;
+    }
+
+private:
+    /// The worst first. False when there was nothing to try, or the budget has run out.
+    bool pass()
+    {
+        const std::vector<std::pair<double, TetId>> bad = badTets();
+        if (bad.empty()) return false;
+        ++result_.counts.passes;
+        StageProgress progress(context_, "improvement", bad.size());
+        for (const auto& [score, t] : bad) {
+            if (!budget_.allows() || !progress.advance()) return false;
+            if (!complex_.isAlive(t) || complex_.score(t) >= target_) continue;
+            improve(t);
+            if (complex_.isAlive(t)) remember(t);
+        }
+        return true;
+    }
+
+    std::vector<std::pair<double, TetId>> badTets()
+    {
+        std::vector<std::pair<double, TetId>> bad;
+        tried_.resize(complex_.tetLimit(), 0);
+        for (std::uint32_t i = 0; i < complex_.tetLimit(); ++i) {
+            const TetId t(i);
+            if (!complex_.isAlive(t) || complex_.score(t) >= target_) continue;
+            if (tried_[t] != versionOf(t)) bad.emplace_back(complex_.score(t), t);
+        }
+        std::sort(bad.begin(), bad.end());
+        return bad;
+    }
+
+    void improve(TetId t)
+    {
+        if (reconnect(t)) return;
+        if (moveNodes(t)) return;
+        contract(t);
+    }
+
+    /// Takes the best of the changes that do without an edge or a face of a tetrahedron, the first that reaches the target.
+    bool reconnect(TetId t)
+    {
+        best_.clear();
+        Kind kind = Kind::None;
+        const TetNodes v = complex_.nodes(t);
+        for (const auto& [i, j] : kTetEdgeCorners) {
+            if (best_.score >= target_) break;
+            if (!evaluateEdgeRemoval(complex_, geometry_, v[i], v[j], options_.boundary, change_)) continue;
+            keepBetter(change_.swapsFacets ? Kind::Swap : Kind::Edge, kind);
+        }
+        for (std::size_t i = 0; i < 4 && best_.score < target_; ++i) {
+            if (evaluateFaceRemoval(complex_, t, i, change_)) keepBetter(Kind::Face, kind);
+        }
+        if (kind == Kind::None) return false;
+        apply(best_, complex_, geometry_);
+        ++(kind == Kind::Edge   ? result_.counts.edgeRemovals
+           : kind == Kind::Swap ? result_.counts.boundarySwaps
+                                : result_.counts.faceRemovals);
+        return true;
+    }
+
+    enum class Kind
+    {
+        None,
+        Edge,
+        Swap,
+        Face
+    };
+
+    void keepBetter(Kind kind, Kind& bestKind)
+    {
+        if (change_.score <= best_.score) return;
+        std::swap(best_, change_);
+        bestKind = kind;
+    }
+
+    bool moveNodes(TetId t)
+    {
+        const TetNodes v = complex_.nodes(t);
+        bool isMoved = false;
+        for (const NodeId n : v) {
+            if (complex_.score(t) >= target_) break;
+            if (!smoothing_.evaluate(n, target_)) continue;
+            const BoundaryMove& move = smoothing_.move();
+            const auto dimension = complex_.node(n).entity.dimension;
+            if (dimension < 3) geometry_.commit(move);
+            complex_.move(n, move.position, move.parameters);
+            ++(dimension == 3   ? result_.counts.innerMoves
+               : dimension == 2 ? result_.counts.faceMoves
+                                : result_.counts.edgeMoves);
+            isMoved = true;
+        }
+        return isMoved;
+    }
+
+    void contract(TetId t)
+    {
+        const TetNodes v = complex_.nodes(t);
+        for (const NodeId n : v) {
+            if (!evaluateContraction(complex_, n, change_)) continue;
+            apply(change_, complex_, geometry_);
+            ++result_.counts.contractions;
+            return;
+        }
+    }
+
+    /// Elements at its nodes as they are now have been tried.
+    void remember(TetId t)
+    {
+        tried_.resize(complex_.tetLimit(), 0);
+        tried_[t] = versionOf(t);
+    }
+    [[nodiscard]] std::uint32_t versionOf(TetId t) const
+    {
+        std::uint32_t sum = 0;
+        for (const NodeId n : complex_.nodes(t)) sum += complex_.version(n);
+        return sum;
+    }
+
+    [[nodiscard]] double leastScore() const
+    {
+        double least = 1.0;
+        for (std::uint32_t i = 0; i < complex_.tetLimit(); ++i) {
+            if (complex_.isAlive(TetId(i))) least = std::min(least, complex_.score(TetId(i)));
+        }
+        return least;
+    }
+    [[nodiscard]] std::uint64_t badCount() const
+    {
+        std::uint64_t count = 0;
+        for (std::uint32_t i = 0; i < complex_.tetLimit(); ++i) {
+            if (complex_.isAlive(TetId(i)) && complex_.score(TetId(i)) < target_) ++count;
+        }
+        return count;
+    }
+
+    TetComplex& complex_;
+    BoundaryGeometry geometry_;
+    VertexSmoothing smoothing_;
+    const ImprovementOptions& options_;
+    Budget& budget_;
+    RunContext& context_;
+    double target_;
+    Improvement result_;
+    LocalChange best_;
+    LocalChange change_;
+    IdVector<TetId, std::uint32_t> tried_;
+};
+
+}  // namespace
+
+Result<Improvement> improveMesh(ClassifiedMesh& mesh, const BrepModel& model, const ImprovementOptions& options,
+                                RunContext& context)
+{
+    if (!(options.wantedAngle > 0.0 && options.wantedAngle <= 60.0)) {
+        return Error{ErrorCode::InvalidArgument,
+                     "wanted angle is out of range",
+                     {},
+                     {},
+                     "choose more than 0 and at most 60 degrees"};
+    }
+    Budget budget(options.limits, context);
+    TetComplex complex(mesh);
+    const Improvement result = ImprovementRun(complex, model, options, budget, context).run();
+    complex.writeTo(mesh);
+    context.reportProgress("improvement", 1.0);
+    return result;
+}
+
+}  // namespace mesher

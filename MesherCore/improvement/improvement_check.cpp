@@ -1,0 +1,1 @@
+#include "improvement/improvement_check.h"
