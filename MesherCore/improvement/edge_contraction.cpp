@@ -49,7 +49,7 @@ bool evaluateContraction(const TetComplex& complex, NodeId node, LocalChange& ch
         }
     }
     NodeId best;
-    double floor = 1.001 * change.before;
+    double floor = leastBetter(change.before);
     for (const NodeId target : neighbours) {
         const bool isTooLong = std::any_of(neighbours.begin(), neighbours.end(), [&](NodeId n) {
             return squaredLength(complex.position(n) - complex.position(target)) > kLongest * kLongest * longest;

@@ -156,30 +156,31 @@ FacetNodes withInstead(FacetNodes v, NodeId old, NodeId other)
 }
 
 /// Triangulates one polygon into list `s` of the change; false if that is not better.
-bool triangulate(const TetComplex& complex, const Polygon& polygon, NodeId a, NodeId b, std::size_t s,
+bool triangulate(const TetComplex& complex, const Polygon& polygon, NodeId a, NodeId b, double floor, std::size_t s,
                  LocalChange& change)
 {
     if (polygon.tetCount == 0) return true;
     change.removed[s].assign(polygon.tet.begin(), polygon.tet.begin() + polygon.tetCount);
     if (polygon.size == 2) return true;
-    const PolygonTriangulation best(complex, polygon, a, b, 1.001 * change.before);
-    if (!isBetter(best.score(), change.before)) return false;
+    const PolygonTriangulation best(complex, polygon, a, b, floor);
+    if (best.score() <= floor) return false;
     change.score = std::min(change.score, best.score());
     best.append(change.added[s]);
     return std::all_of(change.added[s].begin(), change.added[s].end(),
                        [&](const TetNodes& tet) { return complex.isPositive(tet); });
 }
 
-bool evaluateInside(const TetComplex& complex, NodeId a, NodeId b, const EdgeTets& ring, LocalChange& change)
+bool evaluateInside(const TetComplex& complex, NodeId a, NodeId b, const EdgeTets& ring, double floor,
+                    LocalChange& change)
 {
     Polygon polygon;
     if (ring.count < 3 || !follow(ring, ring.from[0], ring.from[0], polygon)) return false;
     if (polygon.tetCount != ring.count) return false;
-    return triangulate(complex, polygon, a, b, 0, change);
+    return triangulate(complex, polygon, a, b, floor, 0, change);
 }
 
 bool evaluateSwap(const TetComplex& complex, BoundaryGeometry& geometry, NodeId a, NodeId b, const EdgeTets& ring,
-                  LocalChange& change)
+                  double floor, LocalChange& change)
 {
     const auto& [f, g] = change.facets;
     if (complex.face(f) != complex.face(g) || complex.isLine(a, b)) return false;
@@ -191,7 +192,7 @@ bool evaluateSwap(const TetComplex& complex, BoundaryGeometry& geometry, NodeId 
     const bool takesOff = polygon[0].tetCount == 1 || polygon[1].tetCount == 1;
     if (takesOff ? complex.isOnSurface(left, right) : complex.isEdge(left, right)) return false;
     for (std::size_t s = 0; s < 2; ++s) {
-        if (!triangulate(complex, polygon[s], a, b, s, change)) return false;
+        if (!triangulate(complex, polygon[s], a, b, floor, s, change)) return false;
     }
     change.swapsFacets = true;
     change.facetNodes = {withInstead(complex.nodes(f), b, right), withInstead(complex.nodes(g), a, left)};
@@ -201,17 +202,18 @@ bool evaluateSwap(const TetComplex& complex, BoundaryGeometry& geometry, NodeId 
 }  // namespace
 
 bool evaluateEdgeRemoval(const TetComplex& complex, BoundaryGeometry& geometry, NodeId a, NodeId b,
-                         BoundaryChanges boundary, LocalChange& change)
+                         const EdgeRemovalLimits& limits, LocalChange& change)
 {
     change.clear();
     const int facets = complex.facetsAt(a, b, change.facets);
-    if (facets > 0 && (boundary == BoundaryChanges::None || facets != 2)) return false;
+    if (facets > 0 && (limits.boundary == BoundaryChanges::None || facets != 2)) return false;
     EdgeTets ring;
     if (!ring.collect(complex, a, b)) return false;
     change.before = ring.score;
     change.score = kInfinity;
-    return facets == 0 ? evaluateInside(complex, a, b, ring, change)
-                       : evaluateSwap(complex, geometry, a, b, ring, change);
+    const double floor = std::max(limits.floor, leastBetter(change.before));
+    return facets == 0 ? evaluateInside(complex, a, b, ring, floor, change)
+                       : evaluateSwap(complex, geometry, a, b, ring, floor, change);
 }
 
 }  // namespace mesher

@@ -18,19 +18,19 @@ constexpr std::array<std::array<std::size_t, 3>, 4> kFaceSlots = {{{1, 3, 2}, {0
 class FaceSet
 {
 public:
-    FaceSet(const TetComplex& complex, NodeId above, NodeId below, LocalChange& change)
-        : complex_(complex), above_(above), below_(below), change_(change)
+    FaceSet(const TetComplex& complex, NodeId above, NodeId below, double floor, LocalChange& change)
+        : complex_(complex), above_(above), below_(below), floor_(floor), change_(change)
     {
     }
 
-    /// False as soon as the upper tetrahedron is not made better.
+    /// False as soon as the floor is not exceeded.
     bool start(const FacetNodes& face, TetId upper, TetId lower)
     {
         addPair(upper, lower);
         for (std::size_t k = 0; k < 3; ++k) {
             const double value = addSide(face[k], face[(k + 1) % 3], upper, lower);
             change_.score = k == 0 ? value : std::min(change_.score, value);
-            if (!isBetter(change_.score, complex_.score(upper))) return false;
+            if (change_.score <= floor_) return false;
         }
         return true;
     }
@@ -91,6 +91,7 @@ private:
     const TetComplex& complex_;
     NodeId above_;
     NodeId below_;
+    double floor_;
     LocalChange& change_;
     int faces_ = 0;
 };
@@ -106,7 +107,8 @@ bool isFacet(const TetComplex& complex, const FacetNodes& face)
 
 }  // namespace
 
-bool evaluateFaceRemoval(const TetComplex& complex, TetId tet, std::size_t opposite, LocalChange& change)
+bool evaluateFaceRemoval(const TetComplex& complex, TetId tet, std::size_t opposite, double floor,
+                         LocalChange& change)
 {
     change.clear();
     const TetNodes& v = complex.nodes(tet);
@@ -118,11 +120,10 @@ bool evaluateFaceRemoval(const TetComplex& complex, TetId tet, std::size_t oppos
     for (const NodeId n : complex.nodes(other)) {
         if (std::find(face.begin(), face.end(), n) == face.end()) below = n;
     }
-    FaceSet set(complex, v[opposite], below, change);
+    change.before = std::min(complex.score(tet), complex.score(other));
+    FaceSet set(complex, v[opposite], below, std::max(floor, leastBetter(change.before)), change);
     if (!set.start(face, tet, other)) return false;
-    change.before = complex.score(tet);
     for (const TetId t : change.removed[0]) change.before = std::min(change.before, complex.score(t));
-    if (!isBetter(change.score, change.before)) return false;
     return std::all_of(change.added[0].begin(), change.added[0].end(),
                        [&](const TetNodes& nodes) { return complex.isPositive(nodes); });
 }

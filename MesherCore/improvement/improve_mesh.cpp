@@ -15,6 +15,24 @@ namespace mesher {
 
 namespace {
 
+/// The edges of a tetrahedron, that of the largest dihedral angle first: to do without it helps flat ones most.
+std::array<std::size_t, 6> edgesByAngle(const TetCorners& p)
+{
+    const std::array<Vec3, 4> face = {cross(p[2] - p[1], p[3] - p[1]), cross(p[3] - p[0], p[2] - p[0]),
+                                      cross(p[1] - p[0], p[3] - p[0]), cross(p[2] - p[0], p[1] - p[0])};
+    std::array<double, 4> size{};
+    for (std::size_t i = 0; i < 4; ++i) size[i] = length(face[i]);
+    std::array<std::pair<double, std::size_t>, 6> order;
+    for (std::size_t e = 0; e < 6; ++e) {
+        const auto& [k, l] = kTetEdgeCorners[5 - e];
+        order[e] = {-dot(face[k], face[l]) / (size[k] * size[l]), e};
+    }
+    std::sort(order.begin(), order.end());
+    std::array<std::size_t, 6> edges{};
+    for (std::size_t e = 0; e < 6; ++e) edges[e] = order[e].second;
+    return edges;
+}
+
 class ImprovementRun
 {
 public:
@@ -43,6 +61,14 @@ public:
     }
 
 private:
+    enum class Kind
+    {
+        None,
+        Edge,
+        Swap,
+        Face
+    };
+
     /// The worst first. False when there was nothing to try, or the budget has run out.
     bool pass()
     {
@@ -85,13 +111,18 @@ private:
         best_.clear();
         Kind kind = Kind::None;
         const TetNodes v = complex_.nodes(t);
-        for (const auto& [i, j] : kTetEdgeCorners) {
+        for (const std::size_t e : edgesByAngle(complex_.corners(v))) {
             if (best_.score >= target_) break;
-            if (!evaluateEdgeRemoval(complex_, geometry_, v[i], v[j], options_.boundary, change_)) continue;
-            keepBetter(change_.swapsFacets ? Kind::Swap : Kind::Edge, kind);
+            const auto& [i, j] = kTetEdgeCorners[e];
+            if (!evaluateEdgeRemoval(complex_, geometry_, v[i], v[j], {options_.boundary, best_.score}, change_))
+                continue;
+            kind = change_.swapsFacets ? Kind::Swap : Kind::Edge;
+            std::swap(best_, change_);
         }
         for (std::size_t i = 0; i < 4 && best_.score < target_; ++i) {
-            if (evaluateFaceRemoval(complex_, t, i, change_)) keepBetter(Kind::Face, kind);
+            if (!evaluateFaceRemoval(complex_, t, i, best_.score, change_)) continue;
+            kind = Kind::Face;
+            std::swap(best_, change_);
         }
         if (kind == Kind::None) return false;
         apply(best_, complex_, geometry_);
@@ -99,21 +130,6 @@ private:
            : kind == Kind::Swap ? result_.counts.boundarySwaps
                                 : result_.counts.faceRemovals);
         return true;
-    }
-
-    enum class Kind
-    {
-        None,
-        Edge,
-        Swap,
-        Face
-    };
-
-    void keepBetter(Kind kind, Kind& bestKind)
-    {
-        if (change_.score <= best_.score) return;
-        std::swap(best_, change_);
-        bestKind = kind;
     }
 
     bool moveNodes(TetId t)

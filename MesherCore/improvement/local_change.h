@@ -32,8 +32,8 @@ struct LocalChange
     }
 };
 
-/// A change has to raise the least score by more than rounding does, or two changes could undo each other for ever.
-[[nodiscard]] constexpr bool isBetter(double score, double before) { return score > 1.001 * before; }
+/// What the least score has to exceed: by more than rounding, or two changes could undo each other for ever.
+[[nodiscard]] constexpr double leastBetter(double before) { return 1.001 * before; }
 
 /// Applies a change that was evaluated on the complex as it is.
 void apply(const LocalChange& change, TetComplex& complex, BoundaryGeometry& geometry);
