@@ -35,12 +35,16 @@ double sagOf(const Vec3& chord, const Vec3& first, const Vec3& last)
 
 }  // namespace
 
-BoundaryGeometry::BoundaryGeometry(const BrepModel& model, const TetComplex& complex)
+BoundaryGeometry::BoundaryGeometry(const BrepModel& model, const TetComplex& complex,
+                                   const IdVector<NodeId, MeshNode>& first, double maxSag)
     : model_(model),
       complex_(complex),
+      first_(first),
+      maxSag_(maxSag),
       surfaces_(model.faces.size()),
       curves_(model.edges.size()),
-      corners_(complex.facetLimit())
+      corners_(complex.facetLimit()),
+      atFirst_(complex.facetLimit())
 {
 }
 
@@ -93,6 +97,7 @@ SurfaceCorner BoundaryGeometry::find(FacetId f, std::size_t k) const
     return cornerAt(face, surface(face).project(node.position).parameters);
 }
 
+/// All changes of a facet ask for its corners before, so what is found at first is what it was at first.
 const BoundaryGeometry::Corners& BoundaryGeometry::cornersOf(FacetId f)
 {
     Corners& known = corners_[f];
@@ -106,6 +111,7 @@ const BoundaryGeometry::Corners& BoundaryGeometry::cornersOf(FacetId f)
         sum += dot(own, known.corner[k].normal);
     }
     known.side = sum < 0.0 ? -1.0 : 1.0;
+    judge(pointsOf(v), known, atFirst_[f]);
     return known;
 }
 
@@ -210,19 +216,41 @@ void BoundaryGeometry::judge(const std::array<Vec3, 3>& p, const Corners& corner
     }
 }
 
-bool BoundaryGeometry::isWorse(const Fidelity& after, const Fidelity& before) const
+std::array<Vec3, 3> BoundaryGeometry::pointsOf(const FacetNodes& v) const
 {
-    constexpr double kLeastAngle = kLeastFacetAngle * std::numbers::pi / 180.0;
-    constexpr double kLeastAgreement = 0.1;
-    return after.agreement < std::max(before.agreement - kSlack, kLeastAgreement) ||
-           after.sag > before.sag + kSlack * (before.sag + kNodeDistance) ||
-           after.leastAngle < std::min(before.leastAngle, kLeastAngle);
+    return {complex_.position(v[0]), complex_.position(v[1]), complex_.position(v[2])};
 }
 
-/// Of a neighbour on the edge's lines; its end of the edge if the neighbour is a vertex of the model.
-std::optional<double> BoundaryGeometry::parameterOn(std::uint32_t edge, NodeId n, double near) const
+double BoundaryGeometry::largestSag(double first) const
 {
-    const MeshNode& node = complex_.node(n);
+    const double grown = kGrowth * first;
+    return maxSag_ > 0.0 ? std::max(first, std::min(grown, maxSag_)) : grown;
+}
+
+void BoundaryGeometry::includeLimits(FacetId f, Fidelity& limits)
+{
+    // 1 - cos grows with the square of the angle.
+    const Corners& corners = cornersOf(f);
+    const Fidelity& first = atFirst_[f];
+    limits.agreement = std::min(limits.agreement, 1.0 - kGrowth * kGrowth * (1.0 - first.agreement));
+    limits.sag = std::max(limits.sag, largestSag(first.sag));
+    Fidelity now;
+    judge(pointsOf(complex_.nodes(f)), corners, now);
+    limits.leastAngle = std::min(limits.leastAngle, now.leastAngle);
+}
+
+bool BoundaryGeometry::isWithin(const Fidelity& after, const Fidelity& limits) const
+{
+    constexpr double kLeastAngle = kLeastFacetAngle * std::numbers::pi / 180.0;
+    constexpr double kLeastAgreement = 0.3;
+    return after.agreement >= std::max(limits.agreement - kSlack, kLeastAgreement) &&
+           after.sag <= limits.sag + kSlack * kNodeDistance &&
+           after.leastAngle >= std::min(limits.leastAngle, kLeastAngle);
+}
+
+/// Of a node on the edge's lines; its end of the edge if the node is a vertex of the model.
+std::optional<double> BoundaryGeometry::parameterOn(std::uint32_t edge, const MeshNode& node, double near) const
+{
     if (node.entity == EntityRef{1, edge}) return node.parameters.x;
     if (node.entity.dimension != 0) return {};
     const BrepEdge& own = model_.edges[BrepEdgeId(edge)];
@@ -230,46 +258,53 @@ std::optional<double> BoundaryGeometry::parameterOn(std::uint32_t edge, NodeId n
     return own.first == BrepVertexId(node.entity.index) ? own.part.first : own.part.last;
 }
 
-/// Whether the chords at a node of an edge stay as near to their curve as the worse of them is.
+/// The larger one of the chords beside a node of an edge, with the node there and its neighbours as they are or were at first.
+std::optional<double> BoundaryGeometry::sagBeside(std::uint32_t edge, NodeId n, const MeshNode& place,
+                                                  bool isAtFirst) const
+{
+    const std::optional<Vec3> own = tangentAt(edge, place.parameters.x);
+    double largest = 0.0;
+    for (const NodeId neighbour : complex_.lines(n)) {
+        const MeshNode& other = isAtFirst ? first_[neighbour] : complex_.node(neighbour);
+        const std::optional<double> t = parameterOn(edge, other, place.parameters.x);
+        if (!own || !t) return {};
+        const std::optional<Vec3> there = tangentAt(edge, *t);
+        if (!there) return {};
+        largest = std::max(largest, sagOf(other.position - place.position, *own, *there));
+    }
+    return largest;
+}
+
+/// Whether the chords at a node of an edge stay near to their curve.
 bool BoundaryGeometry::keepsChords(const BoundaryMove& move) const
 {
     const MeshNode& node = complex_.node(move.node);
     const std::uint32_t edge = node.entity.index;
     if (curve(edge).kind() == CurveKind::Line) return true;
-    const std::optional<Vec3> oldTangent = tangentAt(edge, node.parameters.x);
-    const std::optional<Vec3> newTangent = tangentAt(edge, move.parameters.x);
-    if (!oldTangent || !newTangent) return false;
-    double before = 0.0;
-    double after = 0.0;
-    for (const NodeId other : complex_.lines(move.node)) {
-        const std::optional<double> t = parameterOn(edge, other, node.parameters.x);
-        if (!t) return false;
-        const std::optional<Vec3> there = tangentAt(edge, *t);
-        if (!there) return false;
-        before = std::max(before, sagOf(complex_.position(other) - node.position, *oldTangent, *there));
-        after = std::max(after, sagOf(complex_.position(other) - move.position, *newTangent, *there));
-    }
-    return after <= before + kSlack * (before + kNodeDistance);
+    const std::optional<double> first = sagBeside(edge, move.node, first_[move.node], true);
+    const std::optional<double> after =
+        sagBeside(edge, move.node, {move.position, node.entity, move.parameters}, false);
+    return first && after && *after <= largestSag(*first) + kSlack * kNodeDistance;
 }
 
 bool BoundaryGeometry::allows(BoundaryMove& move)
 {
     if (complex_.node(move.node).entity.dimension == 1 && !keepsChords(move)) return false;
     if (!findCorners(move)) return false;
-    Fidelity before;
+    Fidelity limits;
     Fidelity after;
     const auto facets = complex_.facets(move.node);
     for (std::size_t i = 0; i < facets.size(); ++i) {
+        includeLimits(facets[i], limits);
         Corners corners = cornersOf(facets[i]);
         const FacetNodes& v = complex_.nodes(facets[i]);
-        std::array<Vec3, 3> points = {complex_.position(v[0]), complex_.position(v[1]), complex_.position(v[2])};
-        judge(points, corners, before);
+        std::array<Vec3, 3> points = pointsOf(v);
         const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), move.node) - v.begin());
         points[k] = move.position;
         corners.corner[k] = move.corners[i];
         judge(points, corners, after);
     }
-    return !isWorse(after, before);
+    return isWithin(after, limits);
 }
 
 void BoundaryGeometry::commit(const BoundaryMove& move)
@@ -301,18 +336,15 @@ bool BoundaryGeometry::arrange(const std::array<FacetId, 2>& facets, const Facet
 
 bool BoundaryGeometry::allowsSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after)
 {
-    Fidelity old;
+    Fidelity limits;
     Fidelity made;
-    const auto pointsOf = [&](const FacetNodes& v) {
-        return std::array<Vec3, 3>{complex_.position(v[0]), complex_.position(v[1]), complex_.position(v[2])};
-    };
     for (std::size_t i = 0; i < 2; ++i) {
         Corners corners;
         if (!arrange(facets, after[i], corners)) return false;
         judge(pointsOf(after[i]), corners, made);
-        judge(pointsOf(complex_.nodes(facets[i])), cornersOf(facets[i]), old);
+        includeLimits(facets[i], limits);
     }
-    return !isWorse(made, old);
+    return isWithin(made, limits);
 }
 
 void BoundaryGeometry::commitSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after)

@@ -10,9 +10,6 @@ namespace {
 
 constexpr int kMostFaces = 6;
 
-/// Slots of the nodes of the face opposite to slot i, counter-clockwise as seen from it.
-constexpr std::array<std::array<std::size_t, 3>, 4> kFaceSlots = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-
 /// Grows the set of faces between two nodes from one of them, depth first, as long as the least score of the ring around
 /// the new edge rises by it.
 class FaceSet
@@ -96,32 +93,21 @@ private:
     int faces_ = 0;
 };
 
-bool isFacet(const TetComplex& complex, const FacetNodes& face)
-{
-    for (const FacetId f : complex.facets(face[0])) {
-        const FacetNodes& v = complex.nodes(f);
-        if (std::is_permutation(v.begin(), v.end(), face.begin())) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 bool evaluateFaceRemoval(const TetComplex& complex, TetId tet, std::size_t opposite, double floor,
                          LocalChange& change)
 {
     change.clear();
-    const TetNodes& v = complex.nodes(tet);
-    const auto& slots = kFaceSlots[opposite];
-    const FacetNodes face = {v[slots[0]], v[slots[1]], v[slots[2]]};
+    const FacetNodes face = complex.faceOf(tet, opposite);
     const TetId other = complex.tetBeside(face[0], face[1], face[2], tet);
-    if (!other.isValid() || isFacet(complex, face)) return false;
+    if (!other.isValid() || complex.isFacet(face)) return false;
     NodeId below;
     for (const NodeId n : complex.nodes(other)) {
         if (std::find(face.begin(), face.end(), n) == face.end()) below = n;
     }
     change.before = std::min(complex.score(tet), complex.score(other));
-    FaceSet set(complex, v[opposite], below, std::max(floor, leastBetter(change.before)), change);
+    FaceSet set(complex, complex.nodes(tet)[opposite], below, std::max(floor, leastBetter(change.before)), change);
     if (!set.start(face, tet, other)) return false;
     for (const TetId t : change.removed[0]) change.before = std::min(change.before, complex.score(t));
     return std::all_of(change.added[0].begin(), change.added[0].end(),

@@ -3,6 +3,7 @@
 #include "improvement/dihedral_score.h"
 #include "improvement/edge_contraction.h"
 #include "improvement/face_removal.h"
+#include "improvement/vertex_insertion.h"
 #include "improvement/vertex_smoothing.h"
 
 #include <algorithm>
@@ -36,11 +37,12 @@ std::array<std::size_t, 6> edgesByAngle(const TetCorners& p)
 class ImprovementRun
 {
 public:
-    ImprovementRun(TetComplex& complex, const BrepModel& model, const ImprovementOptions& options, Budget& budget,
-                   RunContext& context)
+    ImprovementRun(TetComplex& complex, const IdVector<NodeId, MeshNode>& first, const BrepModel& model,
+                   const ImprovementOptions& options, Budget& budget, RunContext& context)
         : complex_(complex),
-          geometry_(model, complex),
+          geometry_(model, complex, first, options.maxSag),
           smoothing_(complex, geometry_, options.boundary),
+          insertion_(complex, smoothing_),
           options_(options),
           budget_(budget),
           context_(context),
@@ -102,7 +104,8 @@ private:
     {
         if (reconnect(t)) return;
         if (moveNodes(t)) return;
-        contract(t);
+        if (contract(t)) return;
+        insert(t);
     }
 
     /// Takes the best of the changes that do without an edge or a face of a tetrahedron, the first that reaches the target.
@@ -151,15 +154,23 @@ private:
         return isMoved;
     }
 
-    void contract(TetId t)
+    bool contract(TetId t)
     {
         const TetNodes v = complex_.nodes(t);
         for (const NodeId n : v) {
             if (!evaluateContraction(complex_, n, change_)) continue;
             apply(change_, complex_, geometry_);
             ++result_.counts.contractions;
-            return;
+            return true;
         }
+        return false;
+    }
+
+    void insert(TetId t)
+    {
+        if (!insertion_.evaluate(t, leastBetter(complex_.score(t)), target_, change_)) return;
+        apply(change_, complex_, geometry_);
+        ++result_.counts.insertions;
     }
 
     /// Elements at its nodes as they are now have been tried.
@@ -195,6 +206,7 @@ private:
     TetComplex& complex_;
     BoundaryGeometry geometry_;
     VertexSmoothing smoothing_;
+    VertexInsertion insertion_;
     const ImprovementOptions& options_;
     Budget& budget_;
     RunContext& context_;
@@ -219,7 +231,7 @@ Result<Improvement> improveMesh(ClassifiedMesh& mesh, const BrepModel& model, co
     }
     Budget budget(options.limits, context);
     TetComplex complex(mesh);
-    const Improvement result = ImprovementRun(complex, model, options, budget, context).run();
+    const Improvement result = ImprovementRun(complex, mesh.nodes, model, options, budget, context).run();
     complex.writeTo(mesh);
     context.reportProgress("improvement", 1.0);
     return result;

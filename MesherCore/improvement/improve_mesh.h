@@ -17,6 +17,8 @@ struct ImprovementOptions
     /// kObtuseWeight.
     double wantedAngle = 30.0;
     BoundaryChanges boundary = BoundaryChanges::Allowed;
+    /// Chords are not moved further from curves and faces than this unless they are, model units; 0 for no such limit.
+    double maxSag = 0.0;
     /// Rounds over the tetrahedra that are bad still and about which something has changed.
     int maxPasses = 8;
     BudgetLimits limits;
@@ -30,6 +32,7 @@ struct ImprovementCounts
     std::uint64_t boundarySwaps = 0;
     std::uint64_t faceRemovals = 0;
     std::uint64_t contractions = 0;
+    std::uint64_t insertions = 0;
     std::uint64_t innerMoves = 0;  ///< of nodes inside of solids
     std::uint64_t faceMoves = 0;   ///< of nodes on faces
     std::uint64_t edgeMoves = 0;   ///< of nodes on edges

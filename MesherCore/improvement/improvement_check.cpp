@@ -1,6 +1,5 @@
 #include "improvement/improvement_check.h"
 
-#include "improvement/boundary_geometry.h"
 #include "improvement/dihedral_score.h"
 #include "mesh/mesh_check.h"
 #include "quality/quality_statistics.h"
@@ -180,8 +179,10 @@ void checkFace(const std::string& name, const FaceFacts& old, const FaceFacts& n
         old.sides.size() != now.sides.size()) {
         report.add(name + " has another number of triangles, nodes or sides");
     }
-    if (now.agreement < old.agreement - 1e-6) report.add(name + " has triangles that follow its normals less");
-    if (now.sag > (1.0 + options.sagGrowth) * old.sag + options.nodeDistance)
+    constexpr double kSquaredGrowth = BoundaryGeometry::kGrowth * BoundaryGeometry::kGrowth;
+    if (1.0 - now.agreement > kSquaredGrowth * (1.0 - old.agreement) + 1e-6)
+        report.add(name + " has triangles that follow its normals less");
+    if (now.sag > options.sagGrowth * old.sag + options.nodeDistance)
         report.add(name + " has sides further from it");
     if (now.leastAngle < std::min(old.leastAngle, BoundaryGeometry::kLeastFacetAngle) - 1e-6)
         report.add(name + " has a smaller angle");

@@ -4,6 +4,7 @@
 #include "improvement/tet_complex.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace mesher {
@@ -21,6 +22,8 @@ struct LocalChange
     std::array<FacetId, 2> facets;
     std::array<FacetNodes, 2> facetNodes;
     NodeId contracted;  ///< a node that goes
+    /// Where a node comes; it is an invalid id in the tetrahedra.
+    std::optional<Vec3> inserted;
 
     void clear()
     {
@@ -28,6 +31,7 @@ struct LocalChange
         for (auto& list : added) list.clear();
         swapsFacets = false;
         contracted = NodeId();
+        inserted.reset();
         score = before = 0.0;
     }
 };
@@ -36,6 +40,6 @@ struct LocalChange
 [[nodiscard]] constexpr double leastBetter(double before) { return 1.001 * before; }
 
 /// Applies a change that was evaluated on the complex as it is.
-void apply(const LocalChange& change, TetComplex& complex, BoundaryGeometry& geometry);
+void apply(LocalChange& change, TetComplex& complex, BoundaryGeometry& geometry);
 
 }  // namespace mesher

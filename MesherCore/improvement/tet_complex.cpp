@@ -27,7 +27,7 @@ TetComplex::TetComplex(const ClassifiedMesh& mesh)
       facetStars_(mesh.nodes.size()),
       lines_(mesh.nodes.size()),
       versions_(mesh.nodes.size()),
-      isRemoved_(mesh.nodes.size(), false)
+      isRemoved_(mesh.nodes.size())
 {
     IdVector<NodeId, std::uint32_t> degree(mesh.nodes.size());
     for (const auto& tet : mesh.tets) {
@@ -52,7 +52,7 @@ void TetComplex::writeTo(ClassifiedMesh& mesh) const
     IdVector<NodeId, NodeId> numberOf(nodes_.size());
     mesh.nodes.clear();
     for (std::uint32_t i = 0; i < nodeLimit(); ++i) {
-        if (!isRemoved_[i]) numberOf[NodeId(i)] = mesh.nodes.push_back(nodes_[NodeId(i)]);
+        if (isRemoved_[NodeId(i)] == 0) numberOf[NodeId(i)] = mesh.nodes.push_back(nodes_[NodeId(i)]);
     }
     for (auto& point : mesh.points) point.node[0] = numberOf[point.node[0]];
     for (auto& line : mesh.lines) line.node = {numberOf[line.node[0]], numberOf[line.node[1]]};
@@ -110,6 +110,21 @@ bool TetComplex::isOnSurface(NodeId a, NodeId b) const
 {
     std::array<FacetId, 2> found;
     return facetsAt(a, b, found) > 0;
+}
+
+FacetNodes TetComplex::faceOf(TetId t, std::size_t slot) const
+{
+    static constexpr std::array<std::array<std::size_t, 3>, 4> kSlots = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+    const TetNodes& v = tets_[t].node;
+    const auto& [i, j, k] = kSlots[slot];
+    return {v[i], v[j], v[k]};
+}
+
+bool TetComplex::isFacet(const FacetNodes& face) const
+{
+    return std::any_of(facetStars_[face[0]].begin(), facetStars_[face[0]].end(), [&](FacetId f) {
+        return std::is_permutation(face.begin(), face.end(), facets_[f].node.begin());
+    });
 }
 
 void TetComplex::put(TetId t, const TetNodes& nodes, std::uint32_t solid)
@@ -179,7 +194,17 @@ void TetComplex::move(NodeId n, const Vec3& position, Vec2 parameters)
 void TetComplex::removeNode(NodeId n)
 {
     MESHER_PRECONDITION(stars_[n].empty() && facetStars_[n].empty());
-    isRemoved_[n.value] = true;
+    isRemoved_[n] = 1;
+}
+
+NodeId TetComplex::addNode(const MeshNode& node)
+{
+    stars_.push_back({});
+    facetStars_.push_back({});
+    lines_.push_back({});
+    versions_.push_back(0);
+    isRemoved_.push_back(0);
+    return nodes_.push_back(node);
 }
 
 }  // namespace mesher

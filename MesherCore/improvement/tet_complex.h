@@ -63,6 +63,8 @@ public:
     /// The tetrahedron of three nodes other than `not`; invalid if there is none.
     [[nodiscard]] TetId tetBeside(NodeId a, NodeId b, NodeId c, TetId except) const;
     [[nodiscard]] bool isEdge(NodeId a, NodeId b) const;
+    /// The face opposite to a slot, counter-clockwise as seen from the node there.
+    [[nodiscard]] FacetNodes faceOf(TetId t, std::size_t slot) const;
 
     // --- triangles of the boundary and between solids
     [[nodiscard]] const FacetNodes& nodes(FacetId f) const { return facets_[f].node; }
@@ -71,6 +73,7 @@ public:
     /// How many triangles have the edge; the first two are told.
     int facetsAt(NodeId a, NodeId b, std::array<FacetId, 2>& found) const;
     [[nodiscard]] bool isOnSurface(NodeId a, NodeId b) const;
+    [[nodiscard]] bool isFacet(const FacetNodes& face) const;
 
     // --- changes
     /// The new tetrahedra are of the solid of the old ones and must be positive.
@@ -80,6 +83,8 @@ public:
     void move(NodeId n, const Vec3& position, Vec2 parameters);
     /// A node that has lost all its elements.
     void removeNode(NodeId n);
+    /// A node inside of a solid, without elements yet.
+    NodeId addNode(const MeshNode& node);
 
 private:
     struct Tet
@@ -105,7 +110,7 @@ private:
     IdVector<TetId, Tet> tets_;
     IdVector<FacetId, Facet> facets_;
     std::vector<TetId> freeTets_;
-    std::vector<bool> isRemoved_;
+    IdVector<NodeId, std::uint8_t> isRemoved_;
 };
 
 }  // namespace mesher

@@ -113,9 +113,9 @@ bool VertexSmoothing::climb(const Vec3& along, double& step)
     return false;
 }
 
-bool VertexSmoothing::evaluate(NodeId n, double target)
+/// Whether it got anywhere.
+bool VertexSmoothing::climbTo(double target)
 {
-    if (!prepare(n)) return false;
     bool isMoved = false;
     for (int i = 0; i < kClimbs && score_ < target; ++i) {
         const Vec3 way = direction();
@@ -125,14 +125,41 @@ bool VertexSmoothing::evaluate(NodeId n, double target)
         if (!climb((1.0 / slope) * way, step)) break;
         isMoved = true;
     }
-    if (!isMoved) return false;
-    for (const TetId t : complex_.star(n)) {
-        std::array<Vec3, 4> p = complex_.corners(complex_.nodes(t));
-        const TetNodes& v = complex_.nodes(t);
-        p[static_cast<std::size_t>(std::find(v.begin(), v.end(), n) - v.begin())] = best_.position;
-        if (orient3d(p[0], p[1], p[2], p[3]) != Sign::Positive) return false;
+    return isMoved;
+}
+
+bool VertexSmoothing::isPositive() const
+{
+    return std::all_of(star_.begin(), star_.end(), [](const StarTet& tet) {
+        const TetCorners& p = tet.corners;
+        return orient3d(p[0], p[1], p[2], p[3]) == Sign::Positive;
+    });
+}
+
+bool VertexSmoothing::evaluate(NodeId n, double target) { return prepare(n) && climbTo(target) && isPositive(); }
+
+bool VertexSmoothing::evaluateNew(std::span<const FacetNodes> hull, double target)
+{
+    dimension_ = 3;
+    Vec3 sum;
+    for (const FacetNodes& face : hull) {
+        for (const NodeId n : face) sum = sum + complex_.position(n);
     }
-    return true;
+    best_ = {{}, (1.0 / (3.0 * static_cast<double>(hull.size()))) * sum, {}, {}};
+    star_.clear();
+    score_ = std::numeric_limits<double>::infinity();
+    double square = score_;
+    for (const FacetNodes& face : hull) {
+        const TetCorners p = {complex_.position(face[0]), complex_.position(face[1]), complex_.position(face[2]),
+                              best_.position};
+        star_.push_back({p, 3, dihedralScore(p)});
+        score_ = std::min(score_, star_.back().score);
+        for (std::size_t k = 0; k < 3; ++k) square = std::min(square, squaredLength(p[k] - best_.position));
+    }
+    shortest_ = std::sqrt(square);
+    if (!(score_ > 0.0)) return false;
+    climbTo(target);
+    return isPositive();
 }
 
 }  // namespace mesher

@@ -4,6 +4,7 @@
 #include "improvement/edge_removal.h"
 #include "improvement/tet_complex.h"
 
+#include <span>
 #include <vector>
 
 namespace mesher {
@@ -25,6 +26,9 @@ public:
     }
 
     [[nodiscard]] bool evaluate(NodeId n, double target);
+    /// Of a node yet to come, in a cavity with these faces, counter-clockwise as seen from it: the move is its place, beginning in
+    /// the middle of the nodes. False if that does not see them all.
+    [[nodiscard]] bool evaluateNew(std::span<const FacetNodes> hull, double target);
     /// What the last evaluation found.
     [[nodiscard]] const BoundaryMove& move() const { return best_; }
     [[nodiscard]] double score() const { return score_; }
@@ -41,6 +45,8 @@ private:
     };
 
     bool prepare(NodeId n);
+    bool climbTo(double target);
+    [[nodiscard]] bool isPositive() const;
     [[nodiscard]] Vec3 within(const Vec3& v) const;
     [[nodiscard]] Vec3 direction();
     bool evaluatePlace(const Vec3& target);

@@ -184,6 +184,7 @@ private:
     void improve()
     {
         ImprovementOptions improvement;
+        improvement.maxSag = options_.sag;
         improvement.limits.maxTime = timeLeft();
         const Clock::time_point start = Clock::now();
         const Result<Improvement> improved = improveMesh(*outcome_.mesh, model_, improvement, context_);
@@ -206,6 +207,7 @@ private:
         add("face_removals", counts.faceRemovals);
         add("boundary_swaps", counts.boundarySwaps);
         add("contractions", counts.contractions);
+        add("improvement_insertions", counts.insertions);
         add("inner_moves", counts.innerMoves);
         add("face_moves", counts.faceMoves);
         add("edge_moves", counts.edgeMoves);
