@@ -2,10 +2,10 @@
 
 #include "brep/face_area.h"
 #include "brep/solid_volume.h"
-#include "improvement/improve_mesh.h"
 #include "mesh/region_sides.h"
 #include "pipeline/classify_solids.h"
 #include "pipeline/estimate_solids.h"
+#include "pipeline/improve_solids.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
@@ -187,14 +187,16 @@ private:
         improvement.maxSag = options_.sag;
         improvement.limits.maxTime = timeLeft();
         const Clock::time_point start = Clock::now();
-        const Result<Improvement> improved = improveMesh(*outcome_.mesh, model_, improvement, context_);
+        const Result<SolidImprovement> improved =
+            improveSolids(*outcome_.mesh, model_, improvement, context_);
         addSeconds("improvement", start);
         if (!improved) {
             failed(improved.error());
             return;
         }
-        tellImprovement(improved.value());
-        const StopReason reason = improved->stopReason;
+        tellImprovement(improved->improvement);
+        add("frozen_boundaries", improved->isBoundaryFrozen ? 1 : 0);
+        const StopReason reason = improved->improvement.stopReason;
         tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
     }
 
