@@ -77,20 +77,26 @@ SurfaceCorner BoundaryGeometry::cornerAt(std::uint32_t face, Vec2 uv) const
     return {uv, (1.0 / size) * normal};
 }
 
-/// A node of an edge or vertex is looked for from a corner inside the face, which has parameters of the face.
-SurfaceCorner BoundaryGeometry::find(FacetId f, std::size_t k) const
+/// What another facet of the face knows at the node; else, at an edge or vertex, what is found from another corner.
+SurfaceCorner BoundaryGeometry::find(FacetId f, std::size_t k, const Corners& known) const
 {
     constexpr double kFar = 1e-3;  // of the facet's side, from where the seed led
     const std::uint32_t face = complex_.face(f);
-    const FacetNodes& nodes = complex_.nodes(f);
-    const EntityRef own{2, face};
-    const MeshNode& node = complex_.node(nodes[k]);
-    if (node.entity == own) return cornerAt(face, node.parameters);
+    const NodeId n = complex_.nodes(f)[k];
+    const MeshNode& node = complex_.node(n);
+    if (node.entity == EntityRef{2, face}) return cornerAt(face, node.parameters);
     if (isPlane(face)) return cornerAt(face, {});
+    for (const FacetId g : complex_.facets(n)) {
+        if (complex_.face(g) != face || corners_[g].side == 0.0) continue;
+        const FacetNodes& v = complex_.nodes(g);
+        return corners_[g].corner[static_cast<std::size_t>(std::find(v.begin(), v.end(), n) - v.begin())];
+    }
     for (std::size_t i = 1; i < 3; ++i) {
-        const MeshNode& other = complex_.node(nodes[(k + i) % 3]);
-        if (!(other.entity == own)) continue;
-        const SurfaceProjection found = surface(face).project(node.position, other.parameters);
+        const MeshNode& other = complex_.node(complex_.nodes(f)[(k + i) % 3]);
+        const bool isInFace = other.entity == EntityRef{2, face};
+        if (!isInFace && (k + i) % 3 > k) continue;  // it is not known yet
+        const Vec2 seed = isInFace ? other.parameters : known.corner[(k + i) % 3].parameters;
+        const SurfaceProjection found = surface(face).project(node.position, seed);
         if (found.distance > kFar * length(other.position - node.position)) continue;
         return cornerAt(face, found.parameters);
     }
@@ -107,7 +113,7 @@ const BoundaryGeometry::Corners& BoundaryGeometry::cornersOf(FacetId f)
                            complex_.position(v[2]) - complex_.position(v[0]));
     double sum = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        known.corner[k] = find(f, k);
+        known.corner[k] = find(f, k, known);
         sum += dot(own, known.corner[k].normal);
     }
     known.side = sum < 0.0 ? -1.0 : 1.0;
@@ -249,7 +255,8 @@ bool BoundaryGeometry::isWithin(const Fidelity& after, const Fidelity& limits) c
 }
 
 /// Of a node on the edge's lines; its end of the edge if the node is a vertex of the model.
-std::optional<double> BoundaryGeometry::parameterOn(std::uint32_t edge, const MeshNode& node, double near) const
+std::optional<double> BoundaryGeometry::parameterOn(std::uint32_t edge, const MeshNode& node,
+                                                    double near) const
 {
     if (node.entity == EntityRef{1, edge}) return node.parameters.x;
     if (node.entity.dimension != 0) return {};
@@ -319,7 +326,8 @@ void BoundaryGeometry::commit(const BoundaryMove& move)
 
 // ---- swaps -----------------------------------------------------------------------------------------------------------
 
-bool BoundaryGeometry::arrange(const std::array<FacetId, 2>& facets, const FacetNodes& after, Corners& corners)
+bool BoundaryGeometry::arrange(const std::array<FacetId, 2>& facets, const FacetNodes& after,
+                               Corners& corners)
 {
     corners.side = cornersOf(facets[0]).side;
     if (cornersOf(facets[1]).side != corners.side) return false;
@@ -334,7 +342,8 @@ bool BoundaryGeometry::arrange(const std::array<FacetId, 2>& facets, const Facet
     return true;
 }
 
-bool BoundaryGeometry::allowsSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after)
+bool BoundaryGeometry::allowsSwap(const std::array<FacetId, 2>& facets,
+                                  const std::array<FacetNodes, 2>& after)
 {
     Fidelity limits;
     Fidelity made;
@@ -347,7 +356,8 @@ bool BoundaryGeometry::allowsSwap(const std::array<FacetId, 2>& facets, const st
     return isWithin(made, limits);
 }
 
-void BoundaryGeometry::commitSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after)
+void BoundaryGeometry::commitSwap(const std::array<FacetId, 2>& facets,
+                                  const std::array<FacetNodes, 2>& after)
 {
     std::array<Corners, 2> made;
     for (std::size_t i = 0; i < 2; ++i) {

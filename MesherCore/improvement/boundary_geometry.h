@@ -43,8 +43,8 @@ public:
 
     /// `first` are the nodes as they are at first. Chords do not get further than `maxSag` from the exact geometry unless they
     /// are; 0 for no limit.
-    BoundaryGeometry(const BrepModel& model, const TetComplex& complex, const IdVector<NodeId, MeshNode>& first,
-                     double maxSag);
+    BoundaryGeometry(const BrepModel& model, const TetComplex& complex,
+                     const IdVector<NodeId, MeshNode>& first, double maxSag);
 
     /// Unit tangent of the curve at a node of an edge; none where it has none.
     [[nodiscard]] std::optional<Vec3> tangent(NodeId n) const;
@@ -57,7 +57,8 @@ public:
     void commit(const BoundaryMove& move);
 
     /// Whether two triangles of one face may become others on the same four nodes.
-    [[nodiscard]] bool allowsSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after);
+    [[nodiscard]] bool allowsSwap(const std::array<FacetId, 2>& facets,
+                                  const std::array<FacetNodes, 2>& after);
     void commitSwap(const std::array<FacetId, 2>& facets, const std::array<FacetNodes, 2>& after);
 
 private:
@@ -71,14 +72,15 @@ private:
     struct Corners
     {
         std::array<SurfaceCorner, 3> corner;
-        double side = 0.0;  ///< 1 if the facet's normal is along the surface's, -1 against; 0 while nothing is known
+        double side =
+            0.0;  ///< 1 if the facet's normal is along the surface's, -1 against; 0 while nothing is known
     };
 
     [[nodiscard]] const Surface& surface(std::uint32_t face) const;
     [[nodiscard]] const Curve& curve(std::uint32_t edge) const;
     [[nodiscard]] bool isPlane(std::uint32_t face) const;
     [[nodiscard]] SurfaceCorner cornerAt(std::uint32_t face, Vec2 uv) const;
-    [[nodiscard]] SurfaceCorner find(FacetId f, std::size_t k) const;
+    [[nodiscard]] SurfaceCorner find(FacetId f, std::size_t k, const Corners& known) const;
     const Corners& cornersOf(FacetId f);
     bool moveOnFace(const MeshNode& node, const Vec3& target, BoundaryMove& move) const;
     bool moveOnCurve(const MeshNode& node, const Vec3& target, BoundaryMove& move) const;
@@ -90,11 +92,13 @@ private:
     [[nodiscard]] bool isWithin(const Fidelity& after, const Fidelity& limits) const;
     [[nodiscard]] double largestSag(double first) const;
     [[nodiscard]] std::optional<Vec3> tangentAt(std::uint32_t edge, double t) const;
-    [[nodiscard]] std::optional<double> parameterOn(std::uint32_t edge, const MeshNode& node, double near) const;
+    [[nodiscard]] std::optional<double> parameterOn(std::uint32_t edge, const MeshNode& node,
+                                                    double near) const;
     [[nodiscard]] std::optional<double> sagBeside(std::uint32_t edge, NodeId n, const MeshNode& place,
                                                   bool isAtFirst) const;
     [[nodiscard]] bool keepsChords(const BoundaryMove& move) const;
-    [[nodiscard]] bool arrange(const std::array<FacetId, 2>& facets, const FacetNodes& after, Corners& corners);
+    [[nodiscard]] bool arrange(const std::array<FacetId, 2>& facets, const FacetNodes& after,
+                               Corners& corners);
 
     const BrepModel& model_;
     const TetComplex& complex_;

@@ -52,7 +52,8 @@ bool evaluateContraction(const TetComplex& complex, NodeId node, LocalChange& ch
     double floor = leastBetter(change.before);
     for (const NodeId target : neighbours) {
         const bool isTooLong = std::any_of(neighbours.begin(), neighbours.end(), [&](NodeId n) {
-            return squaredLength(complex.position(n) - complex.position(target)) > kLongest * kLongest * longest;
+            return squaredLength(complex.position(n) - complex.position(target)) >
+                   kLongest * kLongest * longest;
         });
         if (isTooLong) continue;
         const double score = scoreInto(complex, node, target, floor);

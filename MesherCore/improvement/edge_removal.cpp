@@ -110,7 +110,10 @@ private:
         const auto& p = polygon_.node;
         return {TetNodes{p[i], p[j], p[k], b_}, TetNodes{p[j], p[i], p[k], a_}};
     }
-    [[nodiscard]] double side(std::size_t i, std::size_t j) const { return j == i + 1 ? kInfinity : best_[i][j]; }
+    [[nodiscard]] double side(std::size_t i, std::size_t j) const
+    {
+        return j == i + 1 ? kInfinity : best_[i][j];
+    }
     void solve(std::size_t i, std::size_t j)
     {
         double best = floor_;
@@ -156,8 +159,8 @@ FacetNodes withInstead(FacetNodes v, NodeId old, NodeId other)
 }
 
 /// Triangulates one polygon into list `s` of the change; false if that is not better.
-bool triangulate(const TetComplex& complex, const Polygon& polygon, NodeId a, NodeId b, double floor, std::size_t s,
-                 LocalChange& change)
+bool triangulate(const TetComplex& complex, const Polygon& polygon, NodeId a, NodeId b, double floor,
+                 std::size_t s, LocalChange& change)
 {
     if (polygon.tetCount == 0) return true;
     change.removed[s].assign(polygon.tet.begin(), polygon.tet.begin() + polygon.tetCount);
@@ -179,8 +182,8 @@ bool evaluateInside(const TetComplex& complex, NodeId a, NodeId b, const EdgeTet
     return triangulate(complex, polygon, a, b, floor, 0, change);
 }
 
-bool evaluateSwap(const TetComplex& complex, BoundaryGeometry& geometry, NodeId a, NodeId b, const EdgeTets& ring,
-                  double floor, LocalChange& change)
+bool evaluateSwap(const TetComplex& complex, BoundaryGeometry& geometry, NodeId a, NodeId b,
+                  const EdgeTets& ring, double floor, LocalChange& change)
 {
     const auto& [f, g] = change.facets;
     if (complex.face(f) != complex.face(g) || complex.isLine(a, b)) return false;

@@ -28,7 +28,7 @@ struct EdgeRemovalLimits
 ///              allows is changed, and no line, face or solid loses its topology
 /// Cost         n^3 / 6 pairs of scores
 /// Reference    [klincsek1980] [freitag1997]
-[[nodiscard]] bool evaluateEdgeRemoval(const TetComplex& complex, BoundaryGeometry& geometry, NodeId a, NodeId b,
-                                       const EdgeRemovalLimits& limits, LocalChange& change);
+[[nodiscard]] bool evaluateEdgeRemoval(const TetComplex& complex, BoundaryGeometry& geometry, NodeId a,
+                                       NodeId b, const EdgeRemovalLimits& limits, LocalChange& change);
 
 }  // namespace mesher

@@ -107,7 +107,8 @@ bool evaluateFaceRemoval(const TetComplex& complex, TetId tet, std::size_t oppos
         if (std::find(face.begin(), face.end(), n) == face.end()) below = n;
     }
     change.before = std::min(complex.score(tet), complex.score(other));
-    FaceSet set(complex, complex.nodes(tet)[opposite], below, std::max(floor, leastBetter(change.before)), change);
+    FaceSet set(complex, complex.nodes(tet)[opposite], below, std::max(floor, leastBetter(change.before)),
+                change);
     if (!set.start(face, tet, other)) return false;
     for (const TetId t : change.removed[0]) change.before = std::min(change.before, complex.score(t));
     return std::all_of(change.added[0].begin(), change.added[0].end(),

@@ -54,11 +54,12 @@ public:
     {
         result_.scoreBefore = leastScore();
         result_.counts.badBefore = badCount();
-        while (result_.counts.passes < static_cast<std::uint64_t>(options_.maxPasses) && pass()) {}
+        while (result_.counts.passes < static_cast<std::uint64_t>(options_.maxPasses) && pass()) {
+        }
         result_.scoreAfter = leastScore();
         result_.counts.badAfter = badCount();
-        result_.stopReason = budget_.stopReason(result_.counts.badAfter == 0 ? StopReason::Done
-                                                                             : StopReason::CannotImprove);
+        result_.stopReason =
+            budget_.stopReason(result_.counts.badAfter == 0 ? StopReason::Done : StopReason::CannotImprove);
         return result_;
     }
 
@@ -79,7 +80,8 @@ private:
         ++result_.counts.passes;
         StageProgress progress(context_, "improvement", bad.size());
         for (const auto& [score, t] : bad) {
-            if (!budget_.allows() || !progress.advance()) return false;
+            const bool goesOn = progress.advance();
+            if (!budget_.allows() || !goesOn) return false;
             if (!complex_.isAlive(t) || complex_.score(t) >= target_) continue;
             improve(t);
             if (complex_.isAlive(t)) remember(t);
@@ -117,7 +119,8 @@ private:
         for (const std::size_t e : edgesByAngle(complex_.corners(v))) {
             if (best_.score >= target_) break;
             const auto& [i, j] = kTetEdgeCorners[e];
-            if (!evaluateEdgeRemoval(complex_, geometry_, v[i], v[j], {options_.boundary, best_.score}, change_))
+            if (!evaluateEdgeRemoval(complex_, geometry_, v[i], v[j], {options_.boundary, best_.score},
+                                     change_))
                 continue;
             kind = change_.swapsFacets ? Kind::Swap : Kind::Edge;
             std::swap(best_, change_);
@@ -219,8 +222,8 @@ private:
 
 }  // namespace
 
-Result<Improvement> improveMesh(ClassifiedMesh& mesh, const BrepModel& model, const ImprovementOptions& options,
-                                RunContext& context)
+Result<Improvement> improveMesh(ClassifiedMesh& mesh, const BrepModel& model,
+                                const ImprovementOptions& options, RunContext& context)
 {
     if (!(options.wantedAngle > 0.0 && options.wantedAngle <= 60.0)) {
         return Error{ErrorCode::InvalidArgument,

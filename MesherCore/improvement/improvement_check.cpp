@@ -121,7 +121,8 @@ struct FaceFacts
     std::set<std::pair<NodeId, NodeId>> sides;
     double area = 0.0;
     double leastAngle = 180.0;  ///< degrees
-    double agreement = 1.0;     ///< least cosine between the normals of triangle and surface, by the more frequent side
+    double agreement =
+        1.0;  ///< least cosine between the normals of triangle and surface, by the more frequent side
     double sag = 0.0;
 };
 
@@ -201,8 +202,8 @@ void checkLines(const ClassifiedMesh& before, const ClassifiedMesh& after, Check
 
 }  // namespace
 
-CheckReport checkImprovement(const ClassifiedMesh& before, const ClassifiedMesh& after, const BrepModel& model,
-                             const ImprovementCheckOptions& options)
+CheckReport checkImprovement(const ClassifiedMesh& before, const ClassifiedMesh& after,
+                             const BrepModel& model, const ImprovementCheckOptions& options)
 {
     CheckReport report;
     const MeshCheckReport old = checkMesh(before);

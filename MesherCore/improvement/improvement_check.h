@@ -25,6 +25,7 @@ struct ImprovementCheckOptions
 /// but for the gaps between chords and faces.
 /// Cost         a projection on the exact surface for each side of a triangle, n log n
 [[nodiscard]] CheckReport checkImprovement(const ClassifiedMesh& before, const ClassifiedMesh& after,
-                                           const BrepModel& model, const ImprovementCheckOptions& options = {});
+                                           const BrepModel& model,
+                                           const ImprovementCheckOptions& options = {});
 
 }  // namespace mesher

@@ -6,8 +6,8 @@ namespace mesher {
 
 Vec3 leastOfHull(std::span<const Vec3> gradients)
 {
-    constexpr int kSteps = 32;
-    constexpr double kAccuracy = 0.02;  // of the squared length
+    constexpr int kSteps = 64;
+    constexpr double kAccuracy = 0.05;  // of the squared length
     if (gradients.empty()) return {};
     Vec3 best = gradients.front();
     for (const Vec3& g : gradients) {

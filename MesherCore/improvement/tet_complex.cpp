@@ -64,10 +64,12 @@ void TetComplex::writeTo(ClassifiedMesh& mesh) const
     for (const Tet& tet : tets_) {
         if (!tet.node[0].isValid()) continue;
         const TetNodes& v = tet.node;
-        mesh.tets.push_back({{numberOf[v[0]], numberOf[v[1]], numberOf[v[2]], numberOf[v[3]]}, {3, tet.solid}});
+        mesh.tets.push_back(
+            {{numberOf[v[0]], numberOf[v[1]], numberOf[v[2]], numberOf[v[3]]}, {3, tet.solid}});
     }
-    std::stable_sort(mesh.tets.begin(), mesh.tets.end(),
-                     [](const auto& a, const auto& b) { return a.entity < b.entity; });
+    const auto isBefore = [](const auto& a, const auto& b) { return a.entity < b.entity; };
+    if (!std::is_sorted(mesh.tets.begin(), mesh.tets.end(), isBefore))
+        std::stable_sort(mesh.tets.begin(), mesh.tets.end(), isBefore);
 }
 
 bool TetComplex::isLine(NodeId a, NodeId b) const
@@ -114,7 +116,8 @@ bool TetComplex::isOnSurface(NodeId a, NodeId b) const
 
 FacetNodes TetComplex::faceOf(TetId t, std::size_t slot) const
 {
-    static constexpr std::array<std::array<std::size_t, 3>, 4> kSlots = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+    static constexpr std::array<std::array<std::size_t, 3>, 4> kSlots = {
+        {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
     const TetNodes& v = tets_[t].node;
     const auto& [i, j, k] = kSlots[slot];
     return {v[i], v[j], v[k]};

@@ -17,7 +17,10 @@ namespace mesher {
 class VertexInsertion
 {
 public:
-    VertexInsertion(const TetComplex& complex, VertexSmoothing& smoothing) : complex_(complex), smoothing_(smoothing) {}
+    VertexInsertion(const TetComplex& complex, VertexSmoothing& smoothing)
+        : complex_(complex), smoothing_(smoothing)
+    {
+    }
 
     [[nodiscard]] bool evaluate(TetId tet, double floor, double target, LocalChange& change);
 

@@ -13,11 +13,12 @@ namespace mesher {
 
 namespace {
 
-constexpr double kActive = 1.1;           // scores up to so many times the least take part
-constexpr double kLongestStep = 0.3;      // of the shortest edge at the node
-constexpr double kWantedGain = 0.8;       // of the logarithm of the squared score, in one step
-constexpr double kLeastGain = 1.002;      // of the score
-constexpr double kLeastDirection = 0.02;  // gain of that logarithm over the shortest edge below which it is no way up
+constexpr double kActive = 1.1;       // scores up to so many times the least take part
+constexpr double kLongestStep = 0.3;  // of the shortest edge at the node
+constexpr double kWantedGain = 0.8;   // of the logarithm of the squared score, in one step
+constexpr double kLeastGain = 1.002;  // of the score
+constexpr double kLeastDirection =
+    0.02;  // gain of that logarithm over the shortest edge below which it is no way up
 
 }  // namespace
 
@@ -42,7 +43,8 @@ bool VertexSmoothing::prepare(NodeId n)
         star_.push_back({complex_.corners(v), slot, complex_.score(t)});
         score_ = std::min(score_, complex_.score(t));
         for (const NodeId other : v) {
-            if (other != n) square = std::min(square, squaredLength(complex_.position(other) - node.position));
+            if (other != n)
+                square = std::min(square, squaredLength(complex_.position(other) - node.position));
         }
     }
     shortest_ = std::sqrt(square);
@@ -136,7 +138,10 @@ bool VertexSmoothing::isPositive() const
     });
 }
 
-bool VertexSmoothing::evaluate(NodeId n, double target) { return prepare(n) && climbTo(target) && isPositive(); }
+bool VertexSmoothing::evaluate(NodeId n, double target)
+{
+    return prepare(n) && climbTo(target) && isPositive();
+}
 
 bool VertexSmoothing::evaluateNew(std::span<const FacetNodes> hull, double target)
 {
@@ -150,8 +155,8 @@ bool VertexSmoothing::evaluateNew(std::span<const FacetNodes> hull, double targe
     score_ = std::numeric_limits<double>::infinity();
     double square = score_;
     for (const FacetNodes& face : hull) {
-        const TetCorners p = {complex_.position(face[0]), complex_.position(face[1]), complex_.position(face[2]),
-                              best_.position};
+        const TetCorners p = {complex_.position(face[0]), complex_.position(face[1]),
+                              complex_.position(face[2]), best_.position};
         star_.push_back({p, 3, dihedralScore(p)});
         score_ = std::min(score_, star_.back().score);
         for (std::size_t k = 0; k < 3; ++k) square = std::min(square, squaredLength(p[k] - best_.position));
