@@ -16,6 +16,8 @@ namespace mesher {
 
 namespace {
 
+double sineOf(double degrees) { return std::sin(degrees * std::numbers::pi / 180.0); }
+
 /// The edges of a tetrahedron, that of the largest dihedral angle first: to do without it helps flat ones most.
 std::array<std::size_t, 6> edgesByAngle(const TetCorners& p)
 {
@@ -46,13 +48,14 @@ public:
           options_(options),
           budget_(budget),
           context_(context),
-          target_(std::sin(options.wantedAngle * std::numbers::pi / 180.0))
+          target_(sineOf(options.wantedAngle))
     {
     }
 
     Improvement run()
     {
         result_.scoreBefore = leastScore();
+        result_.anglesBefore = dihedralRange();
         result_.counts.badBefore = badCount();
         while (result_.counts.passes < static_cast<std::uint64_t>(options_.maxPasses) && pass()) {
         }
@@ -196,6 +199,22 @@ private:
             if (complex_.isAlive(TetId(i))) least = std::min(least, complex_.score(TetId(i)));
         }
         return least;
+    }
+    /// A tetrahedron with an angle beyond those known scores less than these allow, so that few need be asked.
+    [[nodiscard]] DihedralRange dihedralRange() const
+    {
+        DihedralRange range;
+        double reach = 1.0;
+        for (std::uint32_t i = 0; i < complex_.tetLimit(); ++i) {
+            const TetId t(i);
+            if (!complex_.isAlive(t) || complex_.score(t) > reach) continue;
+            for (const double angle : dihedralAngles(complex_.corners(complex_.nodes(t)))) {
+                range.least = std::min(range.least, angle);
+                range.largest = std::max(range.largest, angle);
+            }
+            reach = std::max(sineOf(range.least), kObtuseWeight * sineOf(range.largest)) * (1.0 + 1e-9);
+        }
+        return range;
     }
     [[nodiscard]] std::uint64_t badCount() const
     {

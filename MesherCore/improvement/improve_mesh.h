@@ -39,6 +39,13 @@ struct ImprovementCounts
     std::uint64_t passes = 0;
 };
 
+/// Degrees; as if there were none but right angles in a mesh without tetrahedra.
+struct DihedralRange
+{
+    double least = 90.0;
+    double largest = 90.0;
+};
+
 struct Improvement
 {
     /// Done; CannotImprove when tetrahedra are left bad; or the limit that ended it.
@@ -46,6 +53,7 @@ struct Improvement
     ImprovementCounts counts;
     double scoreBefore = 0.0;  ///< least dihedralScore
     double scoreAfter = 0.0;
+    DihedralRange anglesBefore;
 };
 
 /// Raises the worst tetrahedra of a finished mesh by swaps, by moving nodes, by drawing nodes into others: inside, and on the

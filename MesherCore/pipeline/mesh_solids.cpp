@@ -203,6 +203,7 @@ private:
     void tellImprovement(const Improvement& improved)
     {
         const ImprovementCounts& counts = improved.counts;
+        report().anglesBeforeImprovement = improved.anglesBefore;
         add("bad_tets_before_improvement", counts.badBefore);
         add("bad_tets_after_improvement", counts.badAfter);
         add("edge_removals", counts.edgeRemovals);
@@ -323,6 +324,11 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
 {
     for (const auto& [name, count] : part.counts) addTo(whole.counts, name, count);
     for (const auto& [name, spent] : part.seconds) addTo(whole.seconds, name, spent);
+    if (const auto& angles = part.anglesBeforeImprovement) {
+        if (!whole.anglesBeforeImprovement) whole.anglesBeforeImprovement = DihedralRange{};
+        DihedralRange& all = *whole.anglesBeforeImprovement;
+        all = {std::min(all.least, angles->least), std::max(all.largest, angles->largest)};
+    }
     for (Error error : part.failures) {
         error.entity = component.inWhole(error.entity);
         error.message = component.inWhole(error.message);

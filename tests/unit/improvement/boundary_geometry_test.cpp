@@ -3,6 +3,7 @@
 #include "unit/improvement/improvement_fixture.h"
 
 #include "base/random.h"
+#include "quality/triangle_measures.h"
 
 #include <array>
 
@@ -109,6 +110,85 @@ TEST(BoundaryGeometry, LimitsTheSagOfChords)
     }
     EXPECT_GT(allowed, 50);
     EXPECT_LT(allowedStrictly, allowed - 50);
+}
+
+/// The two triangles of an edge and those on the other diagonal.
+struct FacetPair
+{
+    std::array<FacetId, 2> before;
+    std::array<FacetNodes, 2> after;
+};
+
+std::vector<FacetPair> pairsWithinFaces(const TetComplex& complex)
+{
+    std::vector<FacetPair> pairs;
+    for (std::uint32_t i = 0; i < complex.facetLimit(); ++i) {
+        const FacetNodes& v = complex.nodes(FacetId(i));
+        for (std::size_t k = 0; k < 3; ++k) {
+            FacetPair pair;
+            const NodeId a = v[k];
+            const NodeId b = v[(k + 1) % 3];
+            if (b < a || complex.facetsAt(a, b, pair.before) != 2) continue;
+            if (complex.face(pair.before[0]) != complex.face(pair.before[1])) continue;
+            const auto apex = [&](FacetId f) {
+                for (const NodeId n : complex.nodes(f)) {
+                    if (n != a && n != b) return n;
+                }
+                return NodeId();
+            };
+            pair.after = {complex.nodes(pair.before[0]), complex.nodes(pair.before[1])};
+            std::replace(pair.after[0].begin(), pair.after[0].end(), b, apex(pair.before[1]));
+            std::replace(pair.after[1].begin(), pair.after[1].end(), a, apex(pair.before[0]));
+            pairs.push_back(pair);
+        }
+    }
+    return pairs;
+}
+
+TEST(BoundaryGeometry, RefusesSwapsInAPlaneThatFoldOrMakeSmallAngles)
+{
+    BoundaryWorkshop shop(kBox);
+    const auto cornersOf = [&](const FacetNodes& v) {
+        return TriangleCorners{shop.complex.position(v[0]), shop.complex.position(v[1]),
+                               shop.complex.position(v[2])};
+    };
+    int allowed = 0;
+    int refused = 0;
+    for (const FacetPair& pair : pairsWithinFaces(shop.complex)) {
+        double before = 180.0;
+        double after = 180.0;
+        bool isFolded = false;
+        const Vec3 normal = doubleAreaVector(cornersOf(shop.complex.nodes(pair.before[0])));
+        for (std::size_t i = 0; i < 2; ++i) {
+            before = std::min(before, shapeOf(cornersOf(shop.complex.nodes(pair.before[i]))).minAngle);
+            after = std::min(after, shapeOf(cornersOf(pair.after[i])).minAngle);
+            isFolded = isFolded || dot(doubleAreaVector(cornersOf(pair.after[i])), normal) <= 0.0;
+        }
+        const bool isGood = !isFolded && after >= std::min(before, BoundaryGeometry::kLeastFacetAngle);
+        EXPECT_EQ(shop.geometry.allowsSwap(pair.before, pair.after), isGood);
+        ++(isGood ? allowed : refused);
+    }
+    EXPECT_GT(allowed, 50);
+    EXPECT_GT(refused, 20);
+}
+
+TEST(BoundaryGeometry, AllowsFewerSwapsOnACurvedFaceTheLessTheyMayLeaveIt)
+{
+    BoundaryWorkshop shop(kTorus);
+    BoundaryGeometry strict(shop.example.model, shop.complex, shop.mesh.nodes, 1e-9);
+    int allowed = 0;
+    int allowedStrictly = 0;
+    for (const FacetPair& pair : pairsWithinFaces(shop.complex)) {
+        allowed += shop.geometry.allowsSwap(pair.before, pair.after) ? 1 : 0;
+        allowedStrictly += strict.allowsSwap(pair.before, pair.after) ? 1 : 0;
+        LocalChange change;
+        const auto& v = shop.complex.nodes(pair.before[0]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!evaluateEdgeRemoval(shop.complex, strict, v[k], v[(k + 1) % 3], {}, change)) continue;
+            EXPECT_TRUE(strict.allowsSwap(change.facets, change.facetNodes));
+        }
+    }
+    EXPECT_LT(allowedStrictly, allowed - 20);
 }
 
 TEST(VertexSmoothing, KeepsNodesOfTheBoundaryThere)

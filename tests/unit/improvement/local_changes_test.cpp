@@ -1,3 +1,5 @@
+#include "base/random.h"
+#include "brep/analytic/solids.h"
 #include "improvement/dihedral_score.h"
 #include "improvement/edge_contraction.h"
 #include "improvement/edge_removal.h"
@@ -95,6 +97,37 @@ TEST(EdgeRemoval, LeavesEdgesWithoutACompleteRing)
     EXPECT_FALSE(evaluateEdgeRemoval(crowd.complex, crowd.geometry, NodeId(0), NodeId(1), {}, crowd.change));
 }
 
+/// A flat tetrahedron on the plane z = 0 with two triangles of that face below, and others above if it is all there is.
+SmallMesh blister(bool isAllThereIs)
+{
+    SmallMesh small;
+    small.model = makeBox({-5, -5, 0}, {5, 5, 5}).value();
+    const NodeId a = small.add({-1, 0, 0.0});
+    const NodeId b = small.add({1, 0, 0.0});
+    const NodeId left = small.add({0, -1, 0.01});
+    const NodeId right = small.add({0, 1, 0.01});
+    small.addTet(a, b, left, right);
+    constexpr std::uint32_t kBottom = 4;
+    small.mesh.triangles.push_back({{a, left, b}, {2, kBottom}});
+    small.mesh.triangles.push_back({{b, right, a}, {2, kBottom}});
+    if (isAllThereIs) small.mesh.triangles.push_back({{left, right, a}, {2, kBottom}});
+    return small;
+}
+
+TEST(EdgeRemoval, TakesOffAFlatTetrahedronUnlessItIsAllThereIs)
+{
+    Workshop shop(blister(false));
+    ASSERT_TRUE(evaluateEdgeRemoval(shop.complex, shop.geometry, NodeId(0), NodeId(1), {}, shop.change));
+    EXPECT_TRUE(shop.change.added[0].empty() && shop.change.added[1].empty());
+    EXPECT_TRUE(shop.change.swapsFacets);
+    apply(shop.change, shop.complex, shop.geometry);
+    EXPECT_EQ(test::tetCount(shop.complex), 0u);
+    EXPECT_TRUE(shop.complex.isOnSurface(NodeId(2), NodeId(3)));
+    EXPECT_FALSE(shop.complex.isOnSurface(NodeId(0), NodeId(1)));
+    Workshop whole(blister(true));
+    EXPECT_FALSE(evaluateEdgeRemoval(whole.complex, whole.geometry, NodeId(0), NodeId(1), {}, whole.change));
+}
+
 /// A fan of triangles in the plane, each with a tetrahedron above and below: the reverse of edge removal.
 SmallMesh sandwich(std::uint32_t n, double height)
 {
@@ -133,6 +166,21 @@ TEST(FaceRemoval, LeavesGoodTetrahedraAndFacesWithNothingBehind)
             EXPECT_FALSE(evaluateFaceRemoval(flat.complex, TetId(0), i, 0.0, flat.change));
         }
     }
+}
+
+/// A sandwich of two solids with the first face between them, which is a face of the model.
+SmallMesh dividedSandwich(double height)
+{
+    SmallMesh small = sandwich(3, height);
+    small.mesh.tets[1].entity.index = 1;
+    small.mesh.triangles.push_back({{NodeId(2), NodeId(3), NodeId(4)}, {2, 0}});
+    return small;
+}
+
+TEST(FaceRemoval, LeavesFacesBetweenSolids)
+{
+    Workshop shop(dividedSandwich(0.45));
+    EXPECT_FALSE(evaluateFaceRemoval(shop.complex, TetId(0), 3, 0.0, shop.change));
 }
 
 /// An octahedron with a node inside.
@@ -184,6 +232,16 @@ TEST(VertexSmoothing, EndsAtTheTargetAndWhereThereIsNoWayUp)
     EXPECT_FALSE(there.evaluate(NodeId(0), 1.0));
 }
 
+TEST(VertexSmoothing, LeavesNodesOfTheBoundaryThatAreOnNoEntityOfIt)
+{
+    SmallMesh small = octahedron({0.4, -0.3, 0.25});
+    small.mesh.triangles.push_back({{NodeId(0), NodeId(1), NodeId(3)}, {2, 0}});
+    Workshop shop(std::move(small));
+    VertexSmoothing smoothing(shop.complex, shop.geometry, BoundaryChanges::Allowed);
+    EXPECT_FALSE(smoothing.evaluate(NodeId(0), 1.0));
+    EXPECT_FALSE(evaluateContraction(shop.complex, NodeId(0), shop.change));
+}
+
 TEST(EdgeContraction, DrawsANodeIntoOneThatIsTooNear)
 {
     Workshop shop(octahedron({0.9, 0.03, 0.02}));
@@ -215,6 +273,29 @@ TEST(VertexInsertion, HalvesALongEdge)
     shop.applyAndCheck();
     EXPECT_EQ(shop.complex.nodeLimit(), nodes + 1);
     EXPECT_EQ(shop.complex.node(NodeId(nodes)).entity, (EntityRef{3, 0}));
+}
+
+TEST(VertexInsertion, KeepsFacesBetweenSolids)
+{
+    Random random(5);
+    int helped = 0;
+    for (int i = 0; i < 2000; ++i) {
+        SmallMesh small = dividedSandwich(0.5);
+        for (std::uint32_t n = 0; n < 5; ++n) {
+            Vec3& p = small.mesh.nodes[NodeId(n)].position;
+            p = p + Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-0.4, 0.4)};
+        }
+        Workshop divided(small);
+        if (test::leastScore(divided.complex) <= 0.0) continue;
+        VertexSmoothing smoothing(divided.complex, divided.geometry, BoundaryChanges::Allowed);
+        EXPECT_FALSE(VertexInsertion(divided.complex, smoothing).evaluate(TetId(0), 0.0, 0.9, divided.change));
+        small.mesh.triangles.clear();
+        small.mesh.tets[1].entity.index = 0;
+        Workshop whole(small);
+        VertexSmoothing free(whole.complex, whole.geometry, BoundaryChanges::Allowed);
+        helped += VertexInsertion(whole.complex, free).evaluate(TetId(0), 0.0, 0.9, whole.change) ? 1 : 0;
+    }
+    EXPECT_GT(helped, 5);
 }
 
 TEST(VertexInsertion, LeavesWhatItDoesNotHelp)
