@@ -15,6 +15,7 @@
 #include "limited_process.h"
 #include "pipeline/mesh_model.h"
 #include "solid_verdict.h"
+#include "support/test_effort.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
@@ -41,7 +42,8 @@ namespace {
 constexpr std::uint64_t kKernelSeconds = 10;
 
 constexpr const char* kUsage =
-    "solid_fuzz [--solids N] [--seed S] [--from I] [--steps MASK] [--cpu SECONDS] [--memory MEGABYTES]\n"
+    "solid_fuzz [--solids N (50 x MESHER_TEST_EFFORT)] [--seed S] [--from I] [--steps MASK] [--cpu SECONDS] "
+    "[--memory MEGABYTES]\n"
     "           [--resume FILE]  lines of solids that are done: those are not meshed again\n"
     "           [--keep FOLDER]  where models that fail are kept\n"
     "           [--refused 0|1]  whether refusals count as failures. DEFAULT: 0\n"
@@ -49,7 +51,7 @@ constexpr const char* kUsage =
 
 struct Options
 {
-    std::uint64_t solids = 100;
+    std::uint64_t solids = static_cast<std::uint64_t>(repetitions(50));
     std::uint64_t seed = 1;
     std::uint64_t from = 0;
     std::uint32_t steps = ~0u;

@@ -1,5 +1,6 @@
 #include "solid_verdict.h"
 
+#include "brep/model_inspection.h"
 #include "mesh/classified_mesh_hash.h"
 #include "mesh/mesh_check.h"
 #include "pipeline/model_check.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -66,7 +68,12 @@ class Comparison
 {
 public:
     Comparison(const BrepModel& model, const TopoDS_Shape& shape, const ClassifiedMesh& mesh)
-        : model_(model), shape_(shape), mesh_(mesh), faces_(model.faces.size()), edges_(model.edges.size())
+        : model_(model),
+          shape_(shape),
+          mesh_(mesh),
+          tolerance_(inspectModel(model).largestTolerance.value),
+          faces_(model.faces.size()),
+          edges_(model.edges.size())
     {
     }
 
@@ -98,7 +105,7 @@ private:
             const Facet facet = {cornersOf(mesh_, triangle)};
             const double distance = departureOf(facet, *model_.faces[id].surface);
             const double size = facet.longestEdge(), area = length(facet.areaVector());
-            if (!(distance <= kLargestSag * size))
+            if (!(distance <= kLargestSag * size + tolerance_))
                 return told(nameOf(id), "has a facet that is off by", distance, 0.0);
             Sum& sum = faces_[id];
             sum.measure += area;
@@ -127,7 +134,7 @@ private:
             const double size = length(b - a);
             if (edge.isDegenerate) return nameOf(id) + " is a point and has a line";
             const double distance = departureOf(a, b, edge);
-            if (!(distance <= kLargestSag * size))
+            if (!(distance <= kLargestSag * size + edge.tolerance))
                 return told(nameOf(id), "has a line that is off by", distance, 0.0);
             Sum& sum = edges_[id];
             sum.measure += size;
@@ -257,6 +264,7 @@ private:
     const BrepModel& model_;
     const TopoDS_Shape& shape_;
     const ClassifiedMesh& mesh_;
+    double tolerance_;  ///< the largest of the model
     IdVector<BrepFaceId, Sum> faces_;
     IdVector<BrepEdgeId, Sum> edges_;
     std::vector<double> areaOfFace_;
@@ -287,13 +295,104 @@ bool isInModel(EntityRef entity, const BrepModel& model)
     return entity.index < counts[entity.dimension];
 }
 
-std::string figuresOf(const ClassifiedMesh& mesh)
+/// A use of an edge by a face, seen from inside of the solid on one side of it.
+struct EdgeUse
+{
+    BrepCoedge coedge;
+    const BrepFace* face = nullptr;
+    bool isReversed = false;  ///< the solid lies on the side of the surface's normal
+};
+
+/// The direction from the edge into the face, and the face's normal out of the solid; nothing where either has none.
+struct Wing
+{
+    Vec3 inward;
+    Vec3 outward;
+};
+
+std::optional<Wing> wingOf(const EdgeUse& use, const BrepEdge& edge, double share)
+{
+    const double t = edge.part.first + share * (edge.part.last - edge.part.first);
+    const SurfacePoint point = use.face->surface->evaluate(use.coedge.parameterCurve->position(t));
+    const Vec3 along = (use.coedge.isReversed ? -1.0 : 1.0) * edge.curve->evaluate(t).d1;
+    const Vec3 inward = cross(point.normal(), along);
+    if (!(length(inward) > 0.0) || !(length(point.normal()) > 0.0)) return std::nullopt;
+    return Wing{(1.0 / length(inward)) * inward,
+                ((use.isReversed ? -1.0 : 1.0) / length(point.normal())) * point.normal()};
+}
+
+/// Degrees inside the solid between two faces at their edge; 180 where they leave more than that.
+double angleBetween(const EdgeUse& a, const EdgeUse& b, const BrepEdge& edge)
+{
+    double least = 180.0;
+    for (const double share : {0.02, 0.25, 0.5, 0.75, 0.98}) {
+        const std::optional<Wing> first = wingOf(a, edge, share), second = wingOf(b, edge, share);
+        if (!first || !second || dot(second->inward, first->outward) > 0.0) continue;
+        const double cosine = std::clamp(dot(first->inward, second->inward), -1.0, 1.0);
+        least = std::min(least, std::acos(cosine) * 180.0 / std::numbers::pi);
+    }
+    return least;
+}
+
+/// The smallest angle between faces, degrees, over all edges of all solids.
+double smallestFaceAngle(const BrepModel& model)
+{
+    double least = 180.0;
+    for (const BrepSolid& solid : model.solids) {
+        IdVector<BrepEdgeId, std::vector<EdgeUse>> uses(model.edges.size());
+        for (const BrepShell& shell : solid.shells) {
+            for (const BrepShellFace& part : shell.faces) {
+                const BrepFace& face = model.faces[part.face];
+                for (const BrepLoop& loop : face.loops) {
+                    for (const BrepCoedge& coedge : loop.coedges)
+                        uses[coedge.edge].push_back({coedge, &face, part.isReversed});
+                }
+            }
+        }
+        for (std::uint32_t e = 0; e < model.edges.size(); ++e) {
+            const BrepEdge& edge = model.edges[BrepEdgeId(e)];
+            const std::vector<EdgeUse>& around = uses[BrepEdgeId(e)];
+            if (edge.isDegenerate || around.size() != 2) continue;
+            least = std::min(least, angleBetween(around[0], around[1], edge));
+        }
+    }
+    return least;
+}
+
+/// Degrees between faces, and between edges of a face.
+struct ModelAngles
+{
+    double faces = 180.0;
+    double edges = 180.0;
+};
+
+ModelAngles anglesOf(const BrepModel& model)
+{
+    const ModelFacts facts = inspectModel(model);
+    return {smallestFaceAngle(model), facts.smallestAngle ? facts.smallestAngle->degrees : 180.0};
+}
+
+std::string figuresOf(const ClassifiedMesh& mesh, const ModelAngles& angles)
 {
     const TetQuality quality = tetQualityOf(mesh);
     std::ostringstream text;
     text.precision(4);
-    text << mesh.tets.size() << " tets, " << quality.dihedral.least() << " to " << quality.dihedral.largest();
+    text << mesh.tets.size() << " tets, " << quality.dihedral.least() << " to " << quality.dihedral.largest()
+         << " at";
+    for (const NodeId node : mesh.tets[quality.worst].node) text << ' ' << nameOf(mesh.nodes[node].entity);
+    text << "; of the model " << angles.faces << ' ' << angles.edges;
     return text.str();
+}
+
+/// No mesh can have larger angles than the shape; but a flat tetrahedron is not the shape's fault.
+std::optional<std::string> problemOfQuality(const ClassifiedMesh& mesh, const ModelAngles& angles)
+{
+    constexpr double kSharp = 1.0, kFlat = 0.01;
+    const double least = tetQualityOf(mesh).dihedral.least();
+    if (least >= kFlat || std::min(angles.faces, angles.edges) < kSharp) return std::nullopt;
+    return told("mesh", "has a flat tetrahedron with the angle", least,
+                std::min(angles.faces, angles.edges)) +
+           ": " + figuresOf(mesh, angles);
 }
 
 }  // namespace
@@ -327,7 +426,9 @@ SolidVerdict judge(const BrepModel& model, const TopoDS_Shape& shape, const Mesh
     if (const auto problem = Comparison(model, shape, *outcome.mesh).problem())
         return {Kind::Failed, *problem};
     if (const auto problem = problemOfReport(report, *outcome.mesh)) return {Kind::Failed, *problem};
-    return {Kind::Valid, figuresOf(*outcome.mesh)};
+    const ModelAngles angles = anglesOf(model);
+    if (const auto problem = problemOfQuality(*outcome.mesh, angles)) return {Kind::Failed, *problem};
+    return {Kind::Valid, figuresOf(*outcome.mesh, angles)};
 }
 
 }  // namespace mesher::test
