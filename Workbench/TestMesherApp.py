@@ -1,5 +1,4 @@
 """Tests without a window: freecadcmd -t TestMesherApp."""
-import math
 import os
 import tempfile
 import unittest
@@ -198,68 +197,3 @@ class Solids(_DocumentTest):
         with self.assertRaises(mesher.MeshingError) as refused:
             make_mesh(shell, size=0.5, dimension=3)
         self.assertIn("--dimension 2", str(refused.exception))
-
-
-class CalculiX(_DocumentTest):
-    """Meshes that a solver takes: results of theory within two per cent."""
-
-    def _solve(self, part, mesh, fixed, loaded, force, direction):
-        import ObjectsFem
-        from femtools import ccxtools
-
-        analysis = ObjectsFem.makeAnalysis(self.document)
-        solver = ObjectsFem.makeSolverCalculixCcxTools(self.document)
-        material = ObjectsFem.makeMaterialSolid(self.document)
-        steel = material.Material
-        steel.update(Name="Steel", YoungsModulus="210000 MPa", PoissonRatio="0.30")
-        material.Material = steel
-        fixing = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
-        fixing.References = [(part, fixed)]
-        load = ObjectsFem.makeConstraintForce(self.document, "Force")
-        load.References = [(part, loaded)]
-        load.Force = force
-        load.Direction = (part, [direction])
-        for member in (solver, material, fixing, load, mesh):
-            analysis.addObject(member)
-        self.document.recompute()
-        with tempfile.TemporaryDirectory() as directory:
-            run = ccxtools.FemToolsCcx(analysis, solver)
-            run.update_objects()
-            run.setup_working_dir(directory)
-            run.setup_ccx()
-            self.assertEqual(run.check_prerequisites(), "")
-            run.purge_results()
-            run.write_inp_file()
-            self.assertEqual(run.ccx_run(), 0)
-            run.load_results()
-        return self.document.getObject("CCX_Results")
-
-    def test_bar_in_tension(self):
-        bar = self.document.addObject("Part::Box", "Bar")
-        bar.Length = bar.Width = 10
-        bar.Height = 100
-        self.document.recompute()
-        mesh = make_mesh(bar, size=3.0)
-        results = self._solve(bar, mesh, "Face5", "Face6", 1000.0, "Edge1")
-        displacement = max(results.DisplacementLengths)
-        exact = 1000.0 * 100.0 / (210000.0 * 100.0)
-        self.assertAlmostEqual(displacement, exact, delta=0.02 * exact)
-
-    def test_plate_with_a_hole_in_tension(self):
-        shape = Part.makeBox(100, 50, 5).cut(Part.makeCylinder(5, 5, FreeCAD.Vector(50, 25, 0)))
-        plate = self._feature(shape, "Plate")
-        names = {}
-        for number, face in enumerate(shape.Faces, 1):
-            if abs(face.normalAt(0, 0).x) > 0.9 and face.Surface.TypeId == "Part::GeomPlane":
-                names[round(face.CenterOfMass.x)] = f"Face{number}"
-        along = [f"Edge{i}" for i, edge in enumerate(shape.Edges, 1)
-                 if edge.Curve.TypeId == "Part::GeomLine" and abs(edge.tangentAt(edge.FirstParameter).x) > 0.9][0]
-        mesh = make_mesh(plate, size=4.0, curvature=16)
-        results = self._solve(plate, mesh, names[0], names[100], 1000.0, along)
-        nominal = 1000.0 * 100.0 / (210000.0 * 250.0)
-        # A small hole of radius a in a sheet of width W and length L adds 3 pi a^2 / (W L) to the compliance: by energy, the
-        # dilute limit of a body with circular holes under uniaxial stress.
-        exact = nominal * (1.0 + 3.0 * math.pi * 5.0**2 / (50.0 * 100.0))
-        end = set(mesh.FemMesh.getNodesByFace(shape.getElement(names[100])))
-        loaded = [vector.x for vector, node in zip(results.DisplacementVectors, results.NodeNumbers) if node in end]
-        self.assertAlmostEqual(abs(sum(loaded) / len(loaded)), exact, delta=0.02 * exact)
