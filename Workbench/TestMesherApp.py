@@ -196,4 +196,4 @@ class Solids(_DocumentTest):
         shell = self._feature(Part.Shell(Part.makeBox(1, 1, 1).Faces[:5]), "Shell")
         with self.assertRaises(mesher.MeshingError) as refused:
             make_mesh(shell, size=0.5, dimension=3)
-        self.assertIn("--dimension 2", str(refused.exception))
+        self.assertIn("dimension=2", str(refused.exception))

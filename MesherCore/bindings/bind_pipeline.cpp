@@ -1,6 +1,9 @@
 #include "bindings/bindings.h"
+#include "bindings/python_error.h"
 #include "bindings/python_options.h"
+#include "bindings/python_sizes.h"
 #include "brep/occt/read_model.h"
+#include "pipeline/estimate_model.h"
 #include "pipeline/mesh_model.h"
 
 #include <pybind11/stl.h>
@@ -48,7 +51,8 @@ private:
 std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& read, const py::dict& named,
                                                             py::object callback)
 {
-    const MeshOptions options = meshOptionsOf(named);
+    MeshOptions options = meshOptionsOf(named);
+    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
     PythonProgress progress(std::move(callback));
     RunSettings settings;
     settings.threads = options.threads;
@@ -61,7 +65,7 @@ std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& rea
     std::string report;
     {
         const py::gil_scoped_release released;
-        outcome = meshModel(read.model, options, nullptr, kBoundaryOrder, context);
+        outcome = meshModel(read.model, options, field, kBoundaryOrder, context);
         report = toJson(outcome.report);
     }
     progress.raiseAgain();
@@ -70,11 +74,31 @@ std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& rea
     return {std::move(mesh), std::move(report)};
 }
 
+py::dict estimate(const ReadModel& read, const py::dict& named)
+{
+    MeshOptions options = meshOptionsOf(named);
+    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
+    const Result<MeshEstimate> found = [&] {
+        const py::gil_scoped_release released;
+        return estimateModel(read.model, options, field);
+    }();
+    if (!found) {
+        const bool isOption = found.error().entity.starts_with("--");
+        raise(isOption ? "OptionError" : "MeshingError", found.error());
+    }
+    py::dict told;
+    told["elements"] = found.value().elements;
+    told["bytes"] = found.value().bytes;
+    told["seconds"] = found.value().seconds;
+    return told;
+}
+
 }  // namespace
 
 void bindPipeline(py::module_& module)
 {
     module.def("run", &run, py::arg("model"), py::arg("options"), py::arg("progress") = py::none());
+    module.def("estimate", &estimate, py::arg("model"), py::arg("options"));
 }
 
 }  // namespace mesher::python

@@ -1,0 +1,88 @@
+#include "local_size_table.h"
+
+#include "length_box.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace mesher::gui {
+
+namespace {
+
+constexpr int kTableHeight = 92;  // pixels: three rows and the header
+
+}  // namespace
+
+LocalSizeTable::LocalSizeTable(QWidget* parent) : QWidget(parent), table_(new QTableWidget(0, 2, this))
+{
+    table_->setObjectName(QStringLiteral("localSizes"));
+    table_->setHorizontalHeaderLabels({tr("Local sizes"), tr("Size")});
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->verticalHeader()->hide();
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setFixedHeight(kTableHeight);
+    auto* add = new QPushButton(tr("Add selected"), this);
+    add->setObjectName(QStringLiteral("addLocalSize"));
+    add->setToolTip(tr("Select faces, edges or vertices in the view, then press this"));
+    auto* remove = new QPushButton(tr("Remove"), this);
+    remove->setObjectName(QStringLiteral("removeLocalSize"));
+    connect(add, &QPushButton::clicked, this, &LocalSizeTable::selectionWanted);
+    connect(remove, &QPushButton::clicked, this, &LocalSizeTable::removeCurrent);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(add);
+    buttons->addWidget(remove);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(table_);
+    all->addLayout(buttons);
+}
+
+QVariantMap LocalSizeTable::sizes() const
+{
+    QVariantMap sizes;
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const auto* box = qobject_cast<LengthBox*>(table_->cellWidget(row, 1));
+        if (box->value() > 0.0) sizes.insert(table_->item(row, 0)->text(), box->value());
+    }
+    return sizes;
+}
+
+void LocalSizeTable::setSizes(const QVariantMap& sizes)
+{
+    table_->setRowCount(0);
+    for (auto it = sizes.begin(); it != sizes.end(); ++it) addRow(it.key(), it.value().toDouble());
+}
+
+void LocalSizeTable::addNames(const QStringList& names, double size)
+{
+    for (const QString& name : names) {
+        if (table_->findItems(name, Qt::MatchExactly).isEmpty()) addRow(name, size);
+    }
+    Q_EMIT sizesChanged();
+}
+
+void LocalSizeTable::addRow(const QString& name, double size)
+{
+    const int row = table_->rowCount();
+    table_->insertRow(row);
+    auto* item = new QTableWidgetItem(name);
+    item->setFlags(item->flags() & ~Qt::ItemIsEditable);
+    table_->setItem(row, 0, item);
+    auto* box = new LengthBox(tr("none"), table_);
+    box->setValue(size);
+    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &LocalSizeTable::sizesChanged);
+    table_->setCellWidget(row, 1, box);
+}
+
+void LocalSizeTable::removeCurrent()
+{
+    const int row = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
+    if (row < 0) return;
+    table_->removeRow(row);
+    Q_EMIT sizesChanged();
+}
+
+}  // namespace mesher::gui
