@@ -13,27 +13,32 @@ namespace mesher::gui {
 namespace {
 
 constexpr int kTableHeight = 92;  // pixels: three rows and the header
+constexpr int kTableWidth = 120;  // pixels, at least
 
 }  // namespace
 
-LocalSizeTable::LocalSizeTable(QWidget* parent) : QWidget(parent), table_(new QTableWidget(0, 2, this))
+LocalSizeTable::LocalSizeTable(QWidget* parent)
+    : QWidget(parent), table_(new QTableWidget(0, 2, this)), remove_(new QPushButton(tr("Remove"), this))
 {
     table_->setObjectName(QStringLiteral("localSizes"));
-    table_->setHorizontalHeaderLabels({tr("Local sizes"), tr("Size")});
+    table_->setHorizontalHeaderLabels({tr("Local size of"), tr("Size")});
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->verticalHeader()->hide();
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setFixedHeight(kTableHeight);
-    auto* add = new QPushButton(tr("Add selected"), this);
+    table_->setMinimumWidth(kTableWidth);
+    table_->hide();
+    auto* add = new QPushButton(tr("Add local size"), this);
     add->setObjectName(QStringLiteral("addLocalSize"));
-    add->setToolTip(tr("Select faces, edges or vertices in the view, then press this"));
-    auto* remove = new QPushButton(tr("Remove"), this);
-    remove->setObjectName(QStringLiteral("removeLocalSize"));
+    add->setToolTip(
+        tr("Gives the faces, edges and vertices that are selected in the view a size of their own"));
+    remove_->setObjectName(QStringLiteral("removeLocalSize"));
+    remove_->setEnabled(false);
     connect(add, &QPushButton::clicked, this, &LocalSizeTable::selectionWanted);
-    connect(remove, &QPushButton::clicked, this, &LocalSizeTable::removeCurrent);
+    connect(remove_, &QPushButton::clicked, this, &LocalSizeTable::removeCurrent);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(add);
-    buttons->addWidget(remove);
+    buttons->addWidget(remove_);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(table_);
@@ -53,15 +58,8 @@ QVariantMap LocalSizeTable::sizes() const
 void LocalSizeTable::setSizes(const QVariantMap& sizes)
 {
     table_->setRowCount(0);
+    showIfFilled();
     for (auto it = sizes.begin(); it != sizes.end(); ++it) addRow(it.key(), it.value().toDouble());
-}
-
-void LocalSizeTable::addNames(const QStringList& names, double size)
-{
-    for (const QString& name : names) {
-        if (table_->findItems(name, Qt::MatchExactly).isEmpty()) addRow(name, size);
-    }
-    Q_EMIT sizesChanged();
 }
 
 void LocalSizeTable::addRow(const QString& name, double size)
@@ -75,6 +73,13 @@ void LocalSizeTable::addRow(const QString& name, double size)
     box->setValue(size);
     connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &LocalSizeTable::sizesChanged);
     table_->setCellWidget(row, 1, box);
+    showIfFilled();
+}
+
+void LocalSizeTable::showIfFilled()
+{
+    table_->setVisible(table_->rowCount() > 0);
+    remove_->setEnabled(table_->rowCount() > 0);
 }
 
 void LocalSizeTable::removeCurrent()
@@ -82,6 +87,7 @@ void LocalSizeTable::removeCurrent()
     const int row = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
     if (row < 0) return;
     table_->removeRow(row);
+    showIfFilled();
     Q_EMIT sizesChanged();
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QStringList>
 #include <QVariantMap>
 #include <QWidget>
 
+class QPushButton;
 class QTableWidget;
 
 namespace mesher::gui {
@@ -19,8 +19,6 @@ public:
     /// Name to millimetres; rows without a size are left out.
     [[nodiscard]] QVariantMap sizes() const;
     void setSizes(const QVariantMap& sizes);
-    /// Adds rows for names that have none.
-    void addNames(const QStringList& names, double size);
 
 Q_SIGNALS:
     void sizesChanged();
@@ -28,9 +26,11 @@ Q_SIGNALS:
 
 private:
     void addRow(const QString& name, double size);
+    void showIfFilled();
     void removeCurrent();
 
     QTableWidget* table_;
+    QPushButton* remove_;
 };
 
 }  // namespace mesher::gui

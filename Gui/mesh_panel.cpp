@@ -22,7 +22,9 @@ namespace {
 
 constexpr int kProgressSteps = 1000;
 // The widest number that fits is no reason for a panel wider than FreeCAD's.
-constexpr int kSmallestInputWidth = 80;  // pixels
+constexpr int kSmallestInputWidth = 70;  // pixels
+constexpr int kGroupMargin = 4;          // pixels
+constexpr int kGroupTop = 10;            // pixels, below the title
 
 template <class Widget>
 Widget* named(Widget* widget, const char* name)
@@ -55,7 +57,7 @@ MeshPanel::MeshPanel(QWidget* parent)
       minSize_(lengthBox("minSize", tr("no limit"), tr("No size asked for is to be smaller"), this)),
       curvature_(named(new QSpinBox(this), "curvature")),
       sag_(lengthBox("sag", tr("off"), tr("Largest distance of an edge from its curve or face"), this)),
-      improve_(named(new QCheckBox(tr("Improve the elements afterwards"), this), "improve")),
+      improve_(named(new QCheckBox(tr("Improve afterwards"), this), "improve")),
       localSizes_(new LocalSizeTable(this)),
       estimate_(wrappedLabel("estimate", this)),
       mesh_(named(new QPushButton(tr("Mesh"), this), "meshButton")),
@@ -68,6 +70,7 @@ MeshPanel::MeshPanel(QWidget* parent)
       result_(makeResultGroup())
 {
     auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(sizes_);
     all->addWidget(runGroup());
     all->addWidget(result_);
@@ -81,13 +84,14 @@ QGroupBox* MeshPanel::sizeGroup()
     curvature_->setRange(0, 3600);
     curvature_->setMinimumWidth(kSmallestInputWidth);
     curvature_->setSpecialValueText(tr("off"));
-    curvature_->setToolTip(tr("Elements around a full circle; 12 is coarse, 36 fine"));
+    curvature_->setToolTip(tr("Elements around a full circle; 12 is coarse, 36 is fine"));
     auto* group = new QGroupBox(tr("Sizes"), this);
     auto* form = new QFormLayout(group);
+    form->setContentsMargins(kGroupMargin, kGroupTop, kGroupMargin, kGroupMargin);
     form->addRow(tr("Largest size"), size_);
     form->addRow(tr("Smallest size"), minSize_);
-    form->addRow(tr("Elements per turn"), curvature_);
-    form->addRow(tr("Largest deviation"), sag_);
+    form->addRow(tr("Elements / turn"), curvature_);
+    form->addRow(tr("Chord deviation"), sag_);
     form->addRow(localSizes_);
     form->addRow(improve_);
     return group;
@@ -98,6 +102,7 @@ QGroupBox* MeshPanel::runGroup()
     progress_->setRange(0, kProgressSteps);
     auto* group = new QGroupBox(tr("Mesh"), this);
     auto* all = new QVBoxLayout(group);
+    all->setContentsMargins(kGroupMargin, kGroupTop, kGroupMargin, kGroupMargin);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(mesh_);
     buttons->addWidget(cancel_);
@@ -112,6 +117,7 @@ QGroupBox* MeshPanel::makeResultGroup()
 {
     auto* group = new QGroupBox(tr("Result"), this);
     auto* all = new QVBoxLayout(group);
+    all->setContentsMargins(kGroupMargin, kGroupTop, kGroupMargin, kGroupMargin);
     summary_->setTextFormat(Qt::RichText);
     all->addWidget(summary_);
     all->addWidget(histogram_);
@@ -141,7 +147,6 @@ bool MeshPanel::isImproved() const { return improve_->isChecked(); }
 void MeshPanel::setImproved(bool value) { improve_->setChecked(value); }
 QVariantMap MeshPanel::localSizes() const { return localSizes_->sizes(); }
 void MeshPanel::setLocalSizes(const QVariantMap& sizes) { localSizes_->setSizes(sizes); }
-void MeshPanel::addLocalSizes(const QStringList& names) { localSizes_->addNames(names, 0.5 * size()); }
 QString MeshPanel::estimate() const { return estimate_->text(); }
 void MeshPanel::setEstimate(const QString& text) { estimate_->setText(text); }
 QString MeshPanel::stage() const { return stage_->text(); }

@@ -63,10 +63,6 @@ public:
     [[nodiscard]] QVariantList histogram() const;
     void setHistogram(const QVariantList& counts);
 
-public Q_SLOTS:
-    /// Rows of local sizes for these entities, to begin with half of the largest size.
-    void addLocalSizes(const QStringList& names);
-
 Q_SIGNALS:
     void meshRequested();
     void cancelRequested();

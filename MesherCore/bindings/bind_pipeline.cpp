@@ -8,9 +8,11 @@
 
 #include <pybind11/stl.h>
 
+#include <chrono>
 #include <exception>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace mesher::python {
 
@@ -18,8 +20,11 @@ namespace py = pybind11;
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// Hands progress to a Python function and listens to Ctrl+C meanwhile. What Python raises ends the run and is raised again
-/// behind it, since no exception may cross the mesher.
+/// behind it, since no exception may cross the mesher. The interpreter may be busy with other threads, and each word to it has
+/// to wait for them: it hears of new stages, of each tenth and of the end, and of what is between every few milliseconds.
 class PythonProgress
 {
 public:
@@ -27,6 +32,12 @@ public:
 
     bool operator()(std::string_view stage, double fraction)
     {
+        const Clock::time_point now = Clock::now();
+        const bool isNews = stage != stage_ || fraction >= 1.0 || fraction >= fraction_ + kStep;
+        if (!isNews && now - told_ < kPause) return !raised_;
+        stage_ = stage;
+        fraction_ = fraction;
+        told_ = now;
         const py::gil_scoped_acquire acquired;
         if (raised_) return false;
         try {
@@ -44,7 +55,13 @@ public:
     }
 
 private:
+    static constexpr std::chrono::milliseconds kPause{10};
+    static constexpr double kStep = 0.1;
+
     py::object callback_;
+    std::string stage_;
+    double fraction_ = 0.0;
+    Clock::time_point told_;
     std::exception_ptr raised_;
 };
 
@@ -93,11 +110,19 @@ py::dict estimate(const ReadModel& read, const py::dict& named)
     return told;
 }
 
+void validateOptions(const py::dict& named)
+{
+    MeshOptions options = meshOptionsOf(named);
+    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
+    if (const Result<void> valid = validate(options); !valid) raise("OptionError", valid.error());
+}
+
 }  // namespace
 
 void bindPipeline(py::module_& module)
 {
     module.def("run", &run, py::arg("model"), py::arg("options"), py::arg("progress") = py::none());
+    module.def("validate", &validateOptions, py::arg("options"));
     module.def("estimate", &estimate, py::arg("model"), py::arg("options"));
 }
 

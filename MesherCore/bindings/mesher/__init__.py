@@ -14,7 +14,7 @@ from .model_argument import model_of
 
 __version__ = _core.__version__
 __all__ = ["Cancelled", "Mesh", "MesherError", "MeshingError", "Model", "ModelError", "OptionError", "WriteError",
-           "estimate", "info", "mesh", "model_of"]
+           "estimate", "info", "mesh", "model_of", "validate"]
 
 
 def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=None, min_size=None, curvature=0.0, sag=0.0,
@@ -67,6 +67,11 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
 def estimate(source, *, heal=False, **options):
     """What mesh(source, **options) is going to take, within a factor of about two: {"elements", "bytes", "seconds"}."""
     return _core.estimate(model_of(source, heal), options)
+
+
+def validate(**options):
+    """Raises what mesh() would raise for options that make no sense whatever the model is: TypeError, OptionError."""
+    _core.validate(options)
 
 
 def info(source, heal=False):
