@@ -8,6 +8,7 @@ import Part
 
 import mesher
 from MesherWorkbench import make_mesh
+from MesherWorkbench.tools.mesh_tool import MeshTool
 
 
 def _groups_of(fem_mesh):
@@ -89,6 +90,44 @@ class MeshObject(_DocumentTest):
         coarse = make_mesh(plate, size=2.0, dimension=2).ElementCount
         self.assertGreater(make_mesh(plate, size=0.5, dimension=2).ElementCount, 4 * coarse)
 
+    def test_local_sizes_of_edges_and_faces(self):
+        plate = self._plate()
+        coarse = make_mesh(plate, size=2.0, dimension=2).ElementCount
+        for name in ("Edge1", "Vertex1", "Face1"):
+            with self.subTest(name):
+                mesh = make_mesh(plate, size=2.0, dimension=2, local_sizes={name: 0.2})
+                self.assertGreater(mesh.ElementCount, coarse + 10)
+
+    def test_local_sizes_are_named_as_in_the_part(self):
+        # What is meshed is Face6 alone, whose edges have other numbers there.
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        edges = [f"Edge{i}" for i, edge in enumerate(box.Shape.Edges, 1) if any(edge.isSame(e) for e in box.Shape.Faces[5].Edges)]
+        coarse = make_mesh((box, ["Face6"]), size=3.0)
+        fine = make_mesh((box, ["Face6"]), size=3.0, local_sizes={edges[-1]: 0.2})
+        self.assertGreater(fine.ElementCount, coarse.ElementCount + 10)
+        middle = box.Shape.getElement(edges[-1]).CenterOfMass
+        nearest = min(p.distanceToPoint(middle) for p in fine.FemMesh.Nodes.values())
+        self.assertLess(nearest, 0.2)
+
+    def test_mesh_regions_of_fem(self):
+        import ObjectsFem
+
+        plate = self._plate()
+        mesh = make_mesh(plate, size=2.0, dimension=2)
+        region = ObjectsFem.makeMeshRegion(self.document, mesh, 0.2)
+        region.References = [(plate, ("Edge1",))]
+        count = mesh.ElementCount
+        tool = MeshTool(mesh)
+        tool.fill_in(tool.run())
+        self.assertGreater(mesh.ElementCount, count + 10)
+
+    def test_estimate(self):
+        mesh = make_mesh(self._feature(Part.makeBox(10, 10, 10)), size=1.0)
+        expected = MeshTool(mesh).estimate()["elements"]
+        self.assertGreater(expected, 0.3 * mesh.ElementCount)
+        self.assertLess(expected, 3.0 * mesh.ElementCount)
+
     def test_save_and_reload(self):
         mesh = make_mesh(self._plate(), size=1.0, dimension=2)
         name, count, groups = mesh.Name, mesh.FemMesh.TriangleCount, _groups_of(mesh.FemMesh)
@@ -139,6 +178,32 @@ class Refusals(_DocumentTest):
     def test_senseless_size(self):
         with self.assertRaises((ValueError, mesher.MesherError)):
             mesher.mesh(Part.makePlane(1, 1), size=-1.0, dimension=2)
+
+    def test_senseless_options_leave_nothing(self):
+        plate = self._feature(Part.makePlane(1, 1))
+        before = len(self.document.Objects)
+        for options, error in (({"size": -1.0}, ValueError), ({"size": "big"}, TypeError), ({"dimension": 4}, ValueError),
+                               ({"local_sizes": {"Face1": 0.0}}, ValueError), ({"order": 3}, ValueError),
+                               ({"curvature": 12.5, "dimension": 2}, TypeError)):
+            with self.subTest(options=options), self.assertRaises(error):
+                make_mesh(plate, **options)
+        self.assertEqual(len(self.document.Objects), before)
+
+    def test_face_that_is_gone(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        with self.assertRaises(mesher.ModelError) as refused:
+            make_mesh((box, ["Face9"]), size=1.0)
+        self.assertIn("Face9", str(refused.exception))
+
+    def test_part_that_is_deleted(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        mesh = make_mesh(box, size=5.0)
+        self.document.removeObject("Box")
+        with self.assertRaises(mesher.ModelError) as refused:
+            MeshTool(mesh)
+        self.assertIn("no part", str(refused.exception))
 
     def test_unknown_option(self):
         with self.assertRaises(TypeError):
