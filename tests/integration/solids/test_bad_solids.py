@@ -21,8 +21,8 @@ else:
 
 # By model: a pattern for the whole sentence, and what the report names as the entity.
 REFUSED = {
-    "without_lid": (r"Solid1: has an open shell, that of Face1; .*--dimension 2", "Solid1"),
-    "shell_only": (r"has no solid; .*--dimension 2", "model"),
+    "without_lid": (r"Solid1: has an open shell, that of Face1; .*dimension.2", "Solid1"),
+    "shell_only": (r"has no solid; .*dimension.2", "model"),
     "pulled_through": (r"(Edge|Face)\d+.* at \(.*\): .+; .+", r"(Edge|Face)\d+.*"),
     "bow_tie_prism": (r"Face5 at \(.*\): its edges cross; .+", "Face5"),
     "without_height": (r"Face1 and Face2 at \(.*\): .+; .+", "Face1 and Face2"),
