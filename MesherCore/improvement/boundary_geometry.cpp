@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace mesher {
 
@@ -16,15 +15,17 @@ double intoPeriod(double value, double start, double period)
     return period > 0.0 ? value - period * std::floor((value - start) / period) : value;
 }
 
-double leastAngleOf(const std::array<Vec3, 3>& p)
+/// Cosine of the smallest angle: roots and quotients are the same on every machine, angles are not.
+double largestCosineOf(const std::array<Vec3, 3>& p)
 {
-    double least = 4.0;
+    double largest = -1.0;
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 a = p[(k + 1) % 3] - p[k];
         const Vec3 b = p[(k + 2) % 3] - p[k];
-        least = std::min(least, std::atan2(length(cross(a, b)), dot(a, b)));
+        const double lengths = std::sqrt(squaredLength(a) * squaredLength(b));
+        largest = std::max(largest, lengths > 0.0 ? dot(a, b) / lengths : 1.0);
     }
-    return least;
+    return largest;
 }
 
 /// Of a chord whose ends have these unit normals or tangents, as if the curvature were the same all along.
@@ -210,7 +211,7 @@ void BoundaryGeometry::judge(const std::array<Vec3, 3>& p, const Corners& corner
 {
     const Vec3 doubleArea = cross(p[1] - p[0], p[2] - p[0]);
     const double size = length(doubleArea);
-    fidelity.leastAngle = std::min(fidelity.leastAngle, leastAngleOf(p));
+    fidelity.cosineOfLeast = std::max(fidelity.cosineOfLeast, largestCosineOf(p));
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3& normal = corners.corner[k].normal;
         const Vec3& next = corners.corner[(k + 1) % 3].normal;
@@ -242,16 +243,15 @@ void BoundaryGeometry::includeLimits(FacetId f, Fidelity& limits)
     limits.sag = std::max(limits.sag, largestSag(first.sag));
     Fidelity now;
     judge(pointsOf(complex_.nodes(f)), corners, now);
-    limits.leastAngle = std::min(limits.leastAngle, now.leastAngle);
+    limits.cosineOfLeast = std::max(limits.cosineOfLeast, now.cosineOfLeast);
 }
 
 bool BoundaryGeometry::isWithin(const Fidelity& after, const Fidelity& limits) const
 {
-    constexpr double kLeastAngle = kLeastFacetAngle * std::numbers::pi / 180.0;
     constexpr double kLeastAgreement = 0.3;
     return after.agreement >= std::max(limits.agreement - kSlack, kLeastAgreement) &&
            after.sag <= limits.sag + kSlack * kNodeDistance &&
-           after.leastAngle >= std::min(limits.leastAngle, kLeastAngle);
+           after.cosineOfLeast <= std::max(limits.cosineOfLeast, kCosineOfLeastFacetAngle);
 }
 
 /// Of a node on the edge's lines; its end of the edge if the node is a vertex of the model.

@@ -38,6 +38,7 @@ class BoundaryGeometry
 public:
     /// Facets may get angles down to this one, degrees; smaller ones do not get smaller.
     static constexpr double kLeastFacetAngle = 20.0;
+    static constexpr double kCosineOfLeastFacetAngle = 0.93969262078590843;
     /// Of angles between normals, and of distances between chords and exact geometry.
     static constexpr double kGrowth = 1.25;
 
@@ -65,9 +66,9 @@ private:
     /// How well facets follow their face.
     struct Fidelity
     {
-        double agreement = 1.0;   ///< least cosine between normals
-        double sag = 0.0;         ///< of chords, model units
-        double leastAngle = 4.0;  ///< radians
+        double agreement = 1.0;       ///< least cosine between normals
+        double sag = 0.0;             ///< of chords, model units
+        double cosineOfLeast = -1.0;  ///< of the smallest angle of a facet
     };
     struct Corners
     {
