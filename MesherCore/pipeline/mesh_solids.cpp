@@ -174,6 +174,10 @@ private:
         add("aborted_insertions", counts.abortedInsertions);
         add("refused_segments", counts.refusedSegments);
         add("refused_facets", counts.refusedFacets);
+        add("delaunay_flips", counts.delaunayFlips);
+        add("delaunay_cavities", counts.delaunayCavities);
+        add("facet_swaps", counts.facetSwaps);
+        add("non_delaunay_faces_left", counts.nonDelaunayFaces);
         add("tets_left", refined.left.size());
         add("tets_left_beside_small_angles", refined.leftForSmallAngles);
     }

@@ -88,7 +88,6 @@ bool BoundaryQueue3d::isTooLong(SegmentId segment) const
     return state_.criteria.isTooLong(state_.t.vertexOf[ends[0]], state_.t.vertexOf[ends[1]]);
 }
 
-/// Queues what the tetrahedron's own vertices encroach upon.
 void BoundaryQueue3d::pushEncroachedAt(TetId tet)
 {
     const Triangulation3d& mesh = state_.mesh;
@@ -234,12 +233,20 @@ void BoundaryQueue3d::finishSplit(const BoundarySplit3d& split)
     for (const FacetId facet : made.added) {
         if (state_.criteria.isTooLarge(state_.cornersOf(facet))) pushFacet(facet);
     }
-    for (const TetId tet : splitter_.created()) {
+    // The cavity need not be that of the Delaunay property alone: its surface had to keep, and to give way, as the facets do.
+    const std::vector<TetId>& flipped = state_.flipAround(splitter_.created());
+    pushNew(splitter_.created());
+    pushNew(flipped);
+    if (isLow) badTets_.gradeAround(v);
+}
+
+void BoundaryQueue3d::pushNew(std::span<const TetId> created)
+{
+    for (const TetId tet : created) {
         if (!state_.isMeshed(tet)) continue;
         pushEncroachedAt(tet);
         badTets_.push(tet);
     }
-    if (isLow) badTets_.gradeAround(v);
 }
 
 /// Mean of the scales of the vertices around, weighted by the inverse of their distance (thesis section 4.4). Between

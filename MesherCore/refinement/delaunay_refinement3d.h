@@ -38,6 +38,10 @@ struct RefinementCounts3d
     std::uint64_t abortedInsertions = 0;  ///< no cavity around the circumcentre was star-shaped
     std::uint64_t flatTets = 0;           ///< so flat that the circumcentre of a face had to do
     std::uint64_t cavityRepairs = 0;      ///< tetrahedra taken out of cavities to make them star-shaped
+    std::uint64_t delaunayFlips = 0;      ///< after splits and repairs, and at the end
+    std::uint64_t delaunayCavities = 0;   ///< filled anew at the end where flips were stuck
+    std::uint64_t facetSwaps = 0;         ///< of the diagonal of four corners on one circle
+    std::uint64_t nonDelaunayFaces = 0;   ///< left: unconstrained, inside of the solids
     BoundarySplitCounts boundary;
 };
 

@@ -36,11 +36,12 @@ Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
         if (blocking.isValid()) return reject(tet, {{}, blocking, true});
     }
     const RegionId region = state_.mesh.region(tet);
-    if (delaunay.makeStarShaped().status != CavityStatus::Ready) {
+    const Cavity3d& cavity = delaunay.makeStarShaped();
+    if (cavity.status != CavityStatus::Ready) {
         ++state_.counts.abortedInsertions;
         return Attempt::Impossible;
     }
-    insert(region);
+    insert(region, cavity.repairs > 0);
     return Attempt::Inserted;
 }
 
@@ -61,7 +62,7 @@ Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
     const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
     if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) return Attempt::Impossible;
     ++state_.counts.shortInsertions;
-    insert(region);
+    insert(region, cavity.repairs > 0);
     return Attempt::Inserted;
 }
 
@@ -94,7 +95,7 @@ bool CircumcentreInsertion::hasRoom(const Cavity3d& cavity, TetId tet) const
     });
 }
 
-void CircumcentreInsertion::insert(RegionId region)
+void CircumcentreInsertion::insert(RegionId region, bool isRepaired)
 {
     ConstrainedTetrahedralization& t = state_.t;
     VertexClass classification;
@@ -104,6 +105,11 @@ void CircumcentreInsertion::insert(RegionId region)
     t.nodeOf[v] = NodeId();
     const bool isLow = state_.scale.assign(v, t.delaunay->neighboursOfCommitted());
     for (const TetId created : t.delaunay->created()) badTets_.push(created);
+    if (isRepaired) {
+        for (const TetId flipped : state_.flipAround(t.delaunay->created())) {
+            if (state_.isMeshed(flipped)) badTets_.push(flipped);
+        }
+    }
     if (isLow) badTets_.gradeAround(v);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/budget.h"
+#include "delaunay/constrained_flips3d.h"
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_splitter.h"
 #include "refinement/delaunay_refinement3d.h"
@@ -13,14 +15,16 @@ namespace mesher {
 struct RefinementState3d
 {
     RefinementState3d(ConstrainedTetrahedralization& tetrahedralization, SurfaceSplitter& surfaceSplitter,
-                      const DelaunayRefinementOptions3d& wanted)
+                      const DelaunayRefinementOptions3d& wanted, const RunContext& context)
         : t(tetrahedralization),
           mesh(t.mesh()),
           splitter(surfaceSplitter),
           options(wanted),
           scale(t, options.sizing),
           criteria(mesh, scale, options.quality),
-          guard(t, splitter.mesh())
+          guard(t, splitter.mesh()),
+          flips(*t.delaunay, DelaunayPart::Inside),
+          flipBudget({}, context)
     {
     }
 
@@ -44,6 +48,9 @@ struct RefinementState3d
     /// Whether the entity has a vertex on a small angle: there the two sides of the angle always encroach upon each other.
     [[nodiscard]] bool isBesideSmallAngle(std::span<const VertexId> entity) const;
 
+    /// Makes the faces of new tetrahedra Delaunay as far as flips can; returns the tetrahedra of the flips.
+    const std::vector<TetId>& flipAround(std::span<const TetId> created);
+
     ConstrainedTetrahedralization& t;
     Triangulation3d& mesh;
     SurfaceSplitter& splitter;
@@ -51,6 +58,8 @@ struct RefinementState3d
     LengthScale3d scale;
     RefinementCriteria3d criteria;
     SmallAngleGuard guard;
+    ConstrainedFlips3d flips;
+    Budget flipBudget;  ///< flips end by themselves: it only lets them be cancelled
     RefinementCounts3d counts;
 };
 
