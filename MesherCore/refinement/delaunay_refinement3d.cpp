@@ -35,6 +35,7 @@ public:
         state_.scale.setInitial();
         countTets();
         flipAll();
+        state_.walls.find(state_.splitter.mesh(), state_.options.maxWallTets);
         insertSinks();
         if (state_.options.boundary == BoundaryPolicy::Split) {
             boundary_.pushSegments();

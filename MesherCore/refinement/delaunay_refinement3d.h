@@ -70,6 +70,8 @@ struct DelaunayRefinementOptions3d
     BoundaryPolicy boundary = BoundaryPolicy::Split;
     /// Segments and facets below it are not split, model units; 0 leaves it to the surface splitter.
     double floor = 0.0;
+    /// Tetrahedra that thin walls may take beyond the sizes wanted. Walls that take more are left with flat ones.
+    double maxWallTets = 1e6;
 };
 
 struct DelaunayRefinement3d

@@ -49,6 +49,8 @@ Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
 /// that leaves room around it.
 Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
 {
+    // Vertices in the middle of a flat wall would only be followed by more.
+    if (state_.walls.wallBeside(tet) != nullptr) return Attempt::Impossible;
     const TetFace blocking = firstConstraintTowards(state_.mesh, tet, centre, state_.t.delaunay->filter());
     Vec3 point = centre;
     if (blocking.isValid()) {
@@ -104,6 +106,7 @@ void CircumcentreInsertion::insert(RegionId region, bool isRepaired)
     if (t.nodeOf.size() <= v.value) t.nodeOf.resize(v.value + v.value / 4u + 16u);
     t.nodeOf[v] = NodeId();
     const bool isLow = state_.scale.assign(v, t.delaunay->neighboursOfCommitted());
+    state_.walls.assign(v, t.delaunay->neighboursOfCommitted(), region);
     for (const TetId created : t.delaunay->created()) badTets_.push(created);
     if (isRepaired) {
         for (const TetId flipped : state_.flipAround(t.delaunay->created())) {
@@ -131,7 +134,7 @@ Attempt CircumcentreInsertion::reject(TetId tet, const Encroached3d& encroached)
 /// shorter and shorter.
 bool CircumcentreInsertion::wouldShrink(TetId tet, std::span<const VertexId> entity)
 {
-    if (!state_.guard.hasAny() || state_.criteria.judge(tet).need != TetNeed::Quality) return false;
+    if (!state_.guard.hasAny() || state_.judge(tet).need != TetNeed::Quality) return false;
     if (!state_.isBesideSmallAngle(entity)) return false;
     double longest = 0.0;
     for (std::size_t i = 0; i < entity.size(); ++i) {

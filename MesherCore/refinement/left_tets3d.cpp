@@ -67,7 +67,7 @@ std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped)
     for (std::uint32_t i = 0; i < state.mesh.tetLimit(); ++i) {
         const TetId tet(i);
         if (!state.isMeshed(tet)) continue;
-        const TetVerdict verdict = state.criteria.judge(tet);
+        const TetVerdict verdict = state.judge(tet);
         if (verdict.need == TetNeed::Nothing && !state.criteria.isBad(tet)) continue;
         left.push_back(explain(state, tet, verdict, isStopped));
     }

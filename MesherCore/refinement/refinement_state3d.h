@@ -8,6 +8,7 @@
 #include "refinement/length_scale3d.h"
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
+#include "refinement/thin_walls.h"
 
 namespace mesher {
 
@@ -23,6 +24,7 @@ struct RefinementState3d
           scale(t, options.sizing),
           criteria(mesh, scale, options.quality),
           guard(t, splitter.mesh()),
+          walls(t),
           flips(*t.delaunay, DelaunayPart::Inside),
           flipBudget({}, context)
     {
@@ -37,6 +39,11 @@ struct RefinementState3d
     {
         const auto& node = splitter.mesh().facets[facet].node;
         return {t.vertexOf[node[0]], t.vertexOf[node[1]], t.vertexOf[node[2]]};
+    }
+    /// What a meshed tetrahedron needs; nothing in a wall that is kept flat, whose facets have the sizes wanted.
+    [[nodiscard]] TetVerdict judge(TetId tet) const
+    {
+        return walls.isInKept(tet) ? TetVerdict{} : criteria.judge(tet);
     }
     /// The facet of a constrained face, or none.
     [[nodiscard]] const FacetId* facetAt(TetFace face) const;
@@ -58,6 +65,7 @@ struct RefinementState3d
     LengthScale3d scale;
     RefinementCriteria3d criteria;
     SmallAngleGuard guard;
+    ThinWalls walls;
     ConstrainedFlips3d flips;
     Budget flipBudget;  ///< flips end by themselves: it only lets them be cancelled
     RefinementCounts3d counts;
