@@ -52,6 +52,7 @@ public:
         state_.counts.delaunayFlips = state_.flips.counts().flips;
         state_.counts.delaunayCavities = state_.flips.counts().cavities;
         state_.counts.nonDelaunayFaces = countNonDelaunayFaces(state_.mesh, DelaunayPart::Inside);
+        result.walls = state_.walls.walls();
         state_.counts.boundary = boundary_.splitCounts();
         state_.counts.cavityRepairs = state_.t.delaunay->counters().cavityRepairs;
         result.counts = state_.counts;

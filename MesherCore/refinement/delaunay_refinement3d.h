@@ -8,6 +8,7 @@
 #include "refinement/length_scale3d.h"
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
+#include "refinement/thin_walls.h"
 
 #include <cstdint>
 #include <optional>
@@ -49,6 +50,7 @@ struct RefinementCounts3d
 enum class LeftReason3d : std::uint8_t
 {
     SmallInputAngle,  ///< beside `angle`
+    ThinWall,         ///< in or beside a wall that is kept flat, between the faces in `entity` and `other`
     LengthScale,      ///< further refinement would go too far below the length scale
     Boundary,         ///< an entity beside it may not or cannot be split any further
     Resolution,       ///< no cavity, or no place for a vertex in double arithmetic
@@ -61,6 +63,7 @@ struct LeftTet3d
     LeftReason3d reason = LeftReason3d::Unfinished;
     std::optional<SmallInputAngle> angle;
     EntityRef entity;  ///< of the boundary in the way; none inside
+    EntityRef other;   ///< the second face of a wall
 };
 
 struct DelaunayRefinementOptions3d
@@ -80,6 +83,7 @@ struct DelaunayRefinement3d
     StopReason stopReason = StopReason::Done;
     RefinementCounts3d counts;
     std::vector<LeftTet3d> left;
+    std::vector<ThinWall> walls;
 };
 
 /// Refines a constrained Delaunay tetrahedralization until every tetrahedron of a region has the size and the quality that

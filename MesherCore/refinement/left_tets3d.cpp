@@ -43,8 +43,13 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
 {
     LeftTet3d left;
     left.tet = tet;
-    left.reason = LeftReason3d::Unfinished;
     if (isStopped) return left;
+    if (const ThinWall* wall = state.walls.wallBeside(tet)) {
+        left.reason = LeftReason3d::ThinWall;
+        left.entity = {2, wall->face[0].value};
+        left.other = {2, wall->face[1].value};
+        return left;
+    }
     left.angle = blameFor(state, tet);
     if (left.angle) {
         left.reason = LeftReason3d::SmallInputAngle;
