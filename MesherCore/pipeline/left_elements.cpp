@@ -1,8 +1,8 @@
 #include "pipeline/left_elements.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <charconv>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -12,9 +12,9 @@ namespace {
 
 std::string rounded(double value)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
+    char digits[32];
+    return {digits,
+            std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::general, 3).ptr};
 }
 
 std::string angleText(const LeftPlace3d& place)

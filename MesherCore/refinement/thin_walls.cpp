@@ -10,10 +10,12 @@ namespace {
 
 /// Thickness over the longest edge of a facet, below which a wall is thin there: above, it takes few more to make it good.
 constexpr double kThin = 0.25;
+/// The same, up to which a wall that is kept is kept: where it turns into the sizes around it.
+constexpr double kKept = 1.0;
 /// Cosine between the inward normals of two sides that look at each other.
 constexpr double kOpposite = -0.7;
-/// Good tetrahedra per area of both sides over the squared thickness, as measured on plates.
-constexpr double kTetsPerSide = 4.0;
+/// Good tetrahedra per area of both sides over the squared thickness, as measured on hollowed boxes.
+constexpr double kTetsPerSide = 2.0;
 /// Size of a facet of a kept wall over what it was at the start, down to which it may be split for its other side.
 constexpr double kLeastSize = 0.8;
 
@@ -70,18 +72,18 @@ void ThinWalls::collectSides(const SurfaceMesh& surface)
             const double area = 0.5 * length(normal);
             const Vec3& corner = mesh.position(mesh.faceVertices(face)[0]);
             const double height = dot(normal, mesh.position(apex) - corner) / (2.0 * area);
-            if (!(height > 0.0 && height < kThin * longestEdge(mesh, face))) continue;
+            if (!(height > 0.0 && height < kKept * longestEdge(mesh, face))) continue;
             const BrepFaceId across = faceAcross(face, apex, surface);
             if (!across.isValid()) continue;
-            Side side{face, wallBetween(faceOf(t_, face, surface), across, mesh.region(tet)), 0.0};
-            side.tets = kTetsPerSide * area / (height * height);
-            ThinWall& wall = walls_[side.wall];
-            wall.tets += side.tets;
+            const std::uint32_t between = wallBetween(faceOf(t_, face, surface), across, mesh.region(tet));
+            sides_.push_back({face, between});
+            if (height >= kThin * longestEdge(mesh, face)) continue;
+            ThinWall& wall = walls_[between];
+            wall.tets += kTetsPerSide * area / (height * height);
             if (wall.thickness == 0.0 || height < wall.thickness * t_.scale) {
                 wall.thickness = height / t_.scale;
                 wall.place = (1.0 / t_.scale) * mesh.position(apex);
             }
-            sides_.push_back(side);
         }
     }
 }
@@ -130,7 +132,7 @@ void ThinWalls::choose(double budget)
     double spent = 0.0;
     for (const std::uint32_t i : order) {
         spent += walls_[i].tets;
-        walls_[i].isKept = spent > budget;
+        walls_[i].isKept = walls_[i].tets > 0.0 && spent > budget;
         hasKept_ = hasKept_ || walls_[i].isKept;
     }
 }

@@ -74,7 +74,6 @@ private:
     {
         TetFace face;
         std::uint32_t wall = 0;
-        double tets = 0.0;
     };
 
     void collectSides(const SurfaceMesh& surface);
