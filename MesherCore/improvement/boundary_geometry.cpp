@@ -314,6 +314,14 @@ bool BoundaryGeometry::allows(BoundaryMove& move)
     return isWithin(after, limits);
 }
 
+bool BoundaryGeometry::isFlatAt(NodeId n) const
+{
+    const EntityRef entity = complex_.node(n).entity;
+    if (entity.dimension == 1 && curve(entity.index).kind() != CurveKind::Line) return false;
+    const auto facets = complex_.facets(n);
+    return std::all_of(facets.begin(), facets.end(), [&](FacetId f) { return isPlane(complex_.face(f)); });
+}
+
 void BoundaryGeometry::commit(const BoundaryMove& move)
 {
     const auto facets = complex_.facets(move.node);

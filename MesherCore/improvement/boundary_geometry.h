@@ -56,6 +56,10 @@ public:
     /// Completes the move by its corners.
     [[nodiscard]] bool allows(BoundaryMove& move);
     void commit(const BoundaryMove& move);
+    [[nodiscard]] bool isPlane(std::uint32_t face) const;
+    /// Whether the triangles at a node all lie in plane faces and its lines are straight: to move it there, or to swap edges of one
+    /// of the faces, leaves the surface the same.
+    [[nodiscard]] bool isFlatAt(NodeId n) const;
 
     /// Whether two triangles of one face may become others on the same four nodes.
     [[nodiscard]] bool allowsSwap(const std::array<FacetId, 2>& facets,
@@ -79,7 +83,6 @@ private:
 
     [[nodiscard]] const Surface& surface(std::uint32_t face) const;
     [[nodiscard]] const Curve& curve(std::uint32_t edge) const;
-    [[nodiscard]] bool isPlane(std::uint32_t face) const;
     [[nodiscard]] SurfaceCorner cornerAt(std::uint32_t face, Vec2 uv) const;
     [[nodiscard]] SurfaceCorner find(FacetId f, std::size_t k, const Corners& known) const;
     const Corners& cornersOf(FacetId f);

@@ -134,6 +134,7 @@ private:
             std::swap(best_, change_);
         }
         if (kind == Kind::None) return false;
+        if (kind == Kind::Swap && !geometry_.isPlane(complex_.face(best_.facets[0]))) ++result_.counts.curvedChanges;
         apply(best_, complex_, geometry_);
         ++(kind == Kind::Edge   ? result_.counts.edgeRemovals
            : kind == Kind::Swap ? result_.counts.boundarySwaps
@@ -150,7 +151,10 @@ private:
             if (!smoothing_.evaluate(n, target_)) continue;
             const BoundaryMove& move = smoothing_.move();
             const auto dimension = complex_.node(n).entity.dimension;
-            if (dimension < 3) geometry_.commit(move);
+            if (dimension < 3) {
+                if (!geometry_.isFlatAt(n)) ++result_.counts.curvedChanges;
+                geometry_.commit(move);
+            }
             complex_.move(n, move.position, move.parameters);
             ++(dimension == 3   ? result_.counts.innerMoves
                : dimension == 2 ? result_.counts.faceMoves

@@ -36,6 +36,8 @@ struct ImprovementCounts
     std::uint64_t innerMoves = 0;  ///< of nodes inside of solids
     std::uint64_t faceMoves = 0;   ///< of nodes on faces
     std::uint64_t edgeMoves = 0;   ///< of nodes on edges
+    /// Swaps and moves on the boundary that are not within planes and straight lines, so that the surface is another.
+    std::uint64_t curvedChanges = 0;
     std::uint64_t passes = 0;
 };
 

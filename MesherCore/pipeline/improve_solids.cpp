@@ -17,11 +17,6 @@ bool meetsItself(const BrepModel& model, const ClassifiedMesh& mesh)
     return !findFacetIntersections(model, surface).empty();
 }
 
-bool touchesBoundary(const ImprovementCounts& counts)
-{
-    return counts.boundarySwaps + counts.faceMoves + counts.edgeMoves > 0;
-}
-
 }  // namespace
 
 Result<SolidImprovement> improveSolids(ClassifiedMesh& mesh, const BrepModel& model,
@@ -31,7 +26,7 @@ Result<SolidImprovement> improveSolids(ClassifiedMesh& mesh, const BrepModel& mo
     SolidImprovement result;
     Result<Improvement> improved = improveMesh(mesh, model, options, context);
     if (!improved) return improved.error();
-    if (touchesBoundary(improved->counts) && meetsItself(model, mesh)) {
+    if (improved->counts.curvedChanges > 0 && meetsItself(model, mesh)) {
         result.isBoundaryFrozen = true;
         mesh = std::move(before);
         ImprovementOptions inside = options;

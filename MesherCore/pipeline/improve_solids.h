@@ -17,7 +17,7 @@ struct SolidImprovement
 
 /// Improves a mesh of solids, and again without touching its boundary if that has come to meet itself: improvement does not look
 /// across what is outside of all solids.
-/// Cost         that of improveMesh, and a search for intersections of the boundary; a copy of the mesh
+/// Cost         that of improveMesh, and a search for intersections of the boundary if curved faces have changed; a copy of the mesh
 [[nodiscard]] Result<SolidImprovement> improveSolids(ClassifiedMesh& mesh, const BrepModel& model,
                                                      const ImprovementOptions& options, RunContext& context);
 
