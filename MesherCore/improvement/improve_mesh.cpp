@@ -81,9 +81,11 @@ private:
         const std::vector<std::pair<double, TetId>> bad = badTets();
         if (bad.empty()) return false;
         ++result_.counts.passes;
+        // The first round does nearly all; those after it are not told, as progress only grows.
+        const bool isFirst = result_.counts.passes == 1;
         StageProgress progress(context_, "improvement", bad.size());
         for (const auto& [score, t] : bad) {
-            const bool goesOn = progress.advance();
+            const bool goesOn = !isFirst || progress.advance();
             if (!budget_.allows() || !goesOn) return false;
             if (!complex_.isAlive(t) || complex_.score(t) >= target_) continue;
             improve(t);
@@ -134,7 +136,8 @@ private:
             std::swap(best_, change_);
         }
         if (kind == Kind::None) return false;
-        if (kind == Kind::Swap && !geometry_.isPlane(complex_.face(best_.facets[0]))) ++result_.counts.curvedChanges;
+        if (kind == Kind::Swap && !geometry_.isPlane(complex_.face(best_.facets[0])))
+            ++result_.counts.curvedChanges;
         apply(best_, complex_, geometry_);
         ++(kind == Kind::Edge   ? result_.counts.edgeRemovals
            : kind == Kind::Swap ? result_.counts.boundarySwaps
