@@ -3,7 +3,7 @@
 #include "delaunay/flips3d.h"
 #include "predicates/insphere.h"
 #include "predicates/orient3d.h"
-#include "tetrahedralization/cavity_retriangulation.h"
+#include "tetrahedralization/hole_refill.h"
 
 #include <algorithm>
 #include <deque>
@@ -24,7 +24,7 @@ public:
           filter_(delaunay.filter()),
           budget_(budget),
           replacement_(mesh_),
-          cavities_(mesh_)
+          holes_(mesh_)
     {
     }
 
@@ -71,9 +71,9 @@ private:
         if (isNotDelaunay(face)) queue_.push_back({face, mesh_.generation(face.tet())});
     }
 
-    void pushCreated()
+    void pushCreated(const std::vector<TetId>& created)
     {
-        for (const TetId tet : replacement_.created()) {
+        for (const TetId tet : created) {
             for (int face = 0; face < 4; ++face) pushIfNotDelaunay({tet, face});
         }
     }
@@ -92,7 +92,7 @@ private:
             }
             applyFlip(replacement_, *flip);
             ++counts_.flips;
-            pushCreated();
+            pushCreated(replacement_.created());
         }
     }
 
@@ -155,97 +155,23 @@ private:
         for (const Entry& entry : stuck) {
             if (!isCurrent(entry) || !isNotDelaunay(entry.face)) continue;
             if (!budget_.allows({mesh_.vertexCount(), mesh_.tetCount()})) return false;
-            if (fillAround(entry.face)) {
-                isChanged = true;
-                ++counts_.cavities;
-                pushCreated();
-            }
+            const TetId tets[] = {entry.face.tet(), mesh_.neighbour(entry.face).tet()};
+            if (!holes_.refill(tets, VertexId(), kMaxCavity)) continue;
+            isChanged = true;
+            ++counts_.cavities;
+            pushCreated(holes_.created());
         }
         return isChanged;
-    }
-
-    bool fillAround(TetFace face)
-    {
-        tets_ = {face.tet(), mesh_.neighbour(face).tet()};
-        while (true) {
-            CavityShell shell;
-            std::vector<VertexId> inside;
-            if (!makeShell(shell, inside)) return false;
-            filling_.clear();
-            if (cavities_.fillDelaunay(shell, inside, filling_)) break;
-            if (cavities_.missing().empty() || !enlarge(shell)) return false;
-        }
-        if (!keepsConstraints()) return false;
-        replacement_.replace(tets_, filling_);
-        return true;
-    }
-
-    bool enlarge(const CavityShell& shell)
-    {
-        for (const auto& key : cavities_.missing()) {
-            const TetFace outer = shell.faces().at(key).outer;
-            if (mesh_.isFaceConstrained(outer) || mesh_.isGhostTet(outer.tet())) return false;
-            if (std::find(tets_.begin(), tets_.end(), outer.tet()) == tets_.end())
-                tets_.push_back(outer.tet());
-        }
-        return tets_.size() <= kMaxCavity;
-    }
-
-    /// False if a constrained face lies within.
-    bool makeShell(CavityShell& shell, std::vector<VertexId>& inside) const
-    {
-        std::vector<VertexId> onShell;
-        for (const TetId tet : tets_) {
-            for (int face = 0; face < 4; ++face) {
-                const TetFace outer = mesh_.neighbour(tet, face);
-                if (std::find(tets_.begin(), tets_.end(), outer.tet()) != tets_.end()) {
-                    if (mesh_.isFaceConstrained(outer)) return false;
-                    continue;
-                }
-                const auto corner = mesh_.faceVertices({tet, face});
-                if (!shell.add({corner, outer})) return false;
-                onShell.insert(onShell.end(), corner.begin(), corner.end());
-            }
-        }
-        for (const TetId tet : tets_) {
-            for (const VertexId v : mesh_.tet(tet).vertex) {
-                if (std::find(onShell.begin(), onShell.end(), v) == onShell.end() &&
-                    std::find(inside.begin(), inside.end(), v) == inside.end()) {
-                    inside.push_back(v);
-                }
-            }
-        }
-        return true;
-    }
-
-    [[nodiscard]] bool keepsConstraints() const
-    {
-        for (const TetId tet : tets_) {
-            for (int edge = 0; edge < 6; ++edge) {
-                if (!mesh_.isEdgeConstrained(tet, edge)) continue;
-                const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
-                const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
-                const bool isKept =
-                    std::any_of(filling_.begin(), filling_.end(), [&](const TetCorners& corners) {
-                        return std::find(corners.begin(), corners.end(), a) != corners.end() &&
-                               std::find(corners.begin(), corners.end(), b) != corners.end();
-                    });
-                if (!isKept) return false;
-            }
-        }
-        return true;
     }
 
     Triangulation3d& mesh_;
     const StaticFilter3d& filter_;
     Budget& budget_;
     TetReplacement3d replacement_;
-    CavityRetriangulation cavities_;
+    HoleRefill holes_;
     ConstrainedDelaunayCounts counts_;
     std::deque<Entry> queue_;
     std::vector<Entry> stuck_;
-    std::vector<TetId> tets_;
-    std::vector<TetCorners> filling_;
 };
 
 }  // namespace

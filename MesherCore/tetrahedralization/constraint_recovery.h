@@ -3,7 +3,9 @@
 #include "base/budget.h"
 #include "tetrahedralization/constraint_split.h"
 #include "tetrahedralization/facet_recovery.h"
+#include "tetrahedralization/free_vertex_removal.h"
 #include "tetrahedralization/segment_recovery.h"
+#include "tetrahedralization/surface_vertex_lift.h"
 #include "tetrahedralization/tetrahedralize.h"
 
 namespace mesher {
@@ -24,6 +26,8 @@ private:
     Result<void> recoverFacets();
     Result<bool> recoverEdge(const EdgeKey& edge, int depth);
     Result<bool> recoverFacet(FacetId facet, int depth, FacetEffort effort);
+    Result<void> leaveTemporarySplits();
+    bool lift(const TemporarySplits::Made& made);
     bool splitEdge(const EdgeKey& edge);
     bool splitFacet(FacetId facet);
     bool clearVertex(VertexId vertex);
@@ -44,6 +48,8 @@ private:
     SegmentRecovery segments_;
     FacetRecovery facets_;
     ConstraintSplit splits_;
+    SurfaceVertexLift lifts_;
+    FreeVertexRemover remover_;
     std::uint64_t maxInserted_ = 0;
     std::uint64_t maxExact_ = 0;
 };
