@@ -87,7 +87,7 @@ bool FacetRecovery::removeCrossingEdges(int depth)
         flips_.allowTrials(kTrialsPerDepth[depth]);
         for (const auto& edge : found_.edges) {
             const std::size_t mark = flips_.mark();
-            if (!flips_.removeEdge(edge[0], edge[1], depth, measure)) continue;
+            if (!flips_.removeEdge(edge[0], edge[1], TetId(), depth, measure)) continue;
             crossings_.find(facet_, trial_);
             if (trial_.edges.size() < found_.edges.size()) {
                 isImproved = true;
@@ -210,9 +210,8 @@ bool FacetRecovery::keepsConstraints() const
     if (!keepsConstrainedEdges(mesh, tets_, after)) return false;
     return std::all_of(innerFacets_.begin(), innerFacets_.end(), [&](const CavityShell::Corners& corner) {
         return std::any_of(after.begin(), after.end(), [&](const TetCorners& tet) {
-            return std::all_of(corner.begin(), corner.end(), [&](VertexId v) {
-                return std::find(tet.begin(), tet.end(), v) != tet.end();
-            });
+            return std::all_of(corner.begin(), corner.end(),
+                               [&](VertexId v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); });
         });
     });
 }

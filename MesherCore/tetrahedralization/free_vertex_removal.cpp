@@ -31,7 +31,8 @@ std::vector<VertexId> listFree(const ConstrainedTetrahedralization& tets, Surfac
 bool FreeVertexRemover::remove(VertexId vertex)
 {
     mesh_.collectStar(vertex, hole_);
-    if (std::any_of(hole_.begin(), hole_.end(), [&](TetId tet) { return mesh_.isGhostTet(tet); })) return false;
+    if (std::any_of(hole_.begin(), hole_.end(), [&](TetId tet) { return mesh_.isGhostTet(tet); }))
+        return false;
     if (tets_.delaunay->remove(vertex) == RemovalStatus::Removed) return true;
     if (contract(vertex)) return true;
     // Little is to be hoped for, at high cost, from a vertex that most of a solid is joined to.
@@ -50,7 +51,7 @@ bool FreeVertexRemover::contractAfterFlips(VertexId vertex)
         isImproved = false;
         for (const VertexId other : neighboursOf(vertex)) {
             flips_.allowTrials(1);
-            if (!flips_.removeEdge(vertex, other, 0, measure)) continue;
+            if (!flips_.removeEdge(vertex, other, TetId(), 0, measure)) continue;
             isImproved = true;
             if (contract(vertex)) return true;
         }

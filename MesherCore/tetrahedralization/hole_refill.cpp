@@ -15,8 +15,9 @@ bool keepsConstrainedEdges(const Triangulation3d& mesh, std::span<const TetId> b
             if (!mesh.isEdgeConstrained(tet, edge)) continue;
             const VertexId a = mesh.vertex(tet, kEdgeSlots[edge][0]);
             const VertexId b = mesh.vertex(tet, kEdgeSlots[edge][1]);
-            const bool isKept = std::any_of(after.begin(), after.end(),
-                                            [&](const TetCorners& other) { return has(other, a) && has(other, b); });
+            const bool isKept = std::any_of(after.begin(), after.end(), [&](const TetCorners& other) {
+                return has(other, a) && has(other, b);
+            });
             if (!isKept) return false;
         }
     }

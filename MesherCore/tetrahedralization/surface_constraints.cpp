@@ -228,7 +228,8 @@ void SurfaceConstraints::takeBack(std::size_t index)
         tets_.segmentOf.insertOrAssign(unorderedPair(a, b), made.split.segment);
         lockEdge(mesh().findEdge(a, b), a, b);
     }
-    for (const FacetId facet : made.split.removed) tets_.facetOf.insertOrAssign(sorted(cornersOf(facet)), facet);
+    for (const FacetId facet : made.split.removed)
+        tets_.facetOf.insertOrAssign(sorted(cornersOf(facet)), facet);
     temporary_->takeBack(index);
     VertexId& vertex = tets_.vertexOf[made.result.node];
     tets_.nodeOf[vertex] = NodeId();
@@ -260,8 +261,9 @@ Result<void> SurfaceConstraints::endTemporarySplits()
             for (NodeId& node : facet.node) node = idIn(nodes, node);
         }
         if (!exact_.accepts(split)) {
-            return Error{ErrorCode::DegenerateInput, "a vertex of recovery could not be taken off the surface",
-                         nameOf(split.node.entity), split.node.position, "make the surface mesh finer there"};
+            return Error{ErrorCode::DegenerateInput,
+                         "a vertex of recovery could not be taken off the surface", nameOf(split.node.entity),
+                         split.node.position, "make the surface mesh finer there"};
         }
         const SurfaceSplitResult result = exact_.commit(split);
         nodes.insert(made.result.node, result.node);

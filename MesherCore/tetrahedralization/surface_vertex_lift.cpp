@@ -98,7 +98,8 @@ bool SurfaceVertexLift::addFacet(const std::array<VertexId, 3>& facet, const std
 
 bool SurfaceVertexLift::addFacets(const TemporarySplits::Made& made)
 {
-    const std::size_t partsEach = made.split.added.size() / std::max<std::size_t>(1, made.split.removed.size());
+    const std::size_t partsEach =
+        made.split.added.size() / std::max<std::size_t>(1, made.split.removed.size());
     for (std::size_t i = 0; i < made.split.removed.size(); ++i) {
         const auto part = constraints_.cornersOf(made.result.added[i * partsEach]);
         if (!addFacet(constraints_.cornersOf(made.split.removed[i]), part)) return false;
@@ -120,7 +121,8 @@ bool SurfaceVertexLift::fillFromCorner(Sector& sector) const
 {
     const Triangulation3d& mesh = std::as_const(constraints_).mesh();
     std::vector<VertexId> corners;
-    for (const auto& [key, face] : sector.shell.faces()) corners.insert(corners.end(), key.begin(), key.end());
+    for (const auto& [key, face] : sector.shell.faces())
+        corners.insert(corners.end(), key.begin(), key.end());
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (const VertexId from : corners) {
@@ -266,9 +268,11 @@ bool SurfaceVertexLift::lift(const TemporarySplits::Made& made)
     if (!std::all_of(sectors_.begin(), sectors_.end(), [&](Sector& sector) { return fill(sector); }))
         return false;
     std::vector<TetCorners> after;
-    for (const Sector& sector : sectors_) after.insert(after.end(), sector.filling.begin(), sector.filling.end());
+    for (const Sector& sector : sectors_)
+        after.insert(after.end(), sector.filling.begin(), sector.filling.end());
     // Constrained edges may have come to lie inside of sectors that were enlarged.
-    if (!keepsConstrainedEdges(std::as_const(constraints_).mesh(), std::span(tets_).subspan(star_.size()), after))
+    if (!keepsConstrainedEdges(std::as_const(constraints_).mesh(), std::span(tets_).subspan(star_.size()),
+                               after))
         return false;
     commit(made);
     return true;
@@ -308,7 +312,8 @@ void SurfaceVertexLift::commit(const TemporarySplits::Made& made)
     tets.nodeOf.resize(std::max<std::size_t>(tets.nodeOf.size(), mesh.vertexLimit()));
     std::vector<TetId> behind;
     for (const TetId tet : star_) behind.push_back(mesh.neighbour(tet, mesh.slotOf(tet, vertex_)).tet());
-    std::erase_if(behind, [&](TetId tet) { return std::find(tets_.begin(), tets_.end(), tet) != tets_.end(); });
+    std::erase_if(behind,
+                  [&](TetId tet) { return std::find(tets_.begin(), tets_.end(), tet) != tets_.end(); });
     replacement_.replace(tets_, after);
     mesh.removeVertex(vertex_);
     for (const TetId tet : behind) {

@@ -40,7 +40,7 @@ private:
     struct Sector
     {
         CavityShell shell;
-        Vec3 inwards;  ///< sum of the unit normals of its facets
+        Vec3 inwards;                          ///< sum of the unit normals of its facets
         std::vector<VertexId> insideVertices;  ///< after it was enlarged
         std::vector<TetCorners> filling;
         Vec3 starPoint;

@@ -43,7 +43,7 @@ struct TetrahedralizationCounts
     std::uint32_t facetsByFlips = 0;
     std::uint32_t facetsByCavity = 0;
     std::uint32_t facetsByStar = 0;
-    std::uint32_t exactSplits = 0;   ///< new nodes on the exact geometry
+    std::uint32_t exactSplits = 0;  ///< new nodes on the exact geometry
     std::uint32_t temporarySplits =
         0;  ///< off the exact geometry, taken back but for those counted in the next two
     std::uint32_t edgeSteiner = 0;   ///< new nodes on edges that are not on the exact geometry
