@@ -15,14 +15,18 @@ namespace {
 
 /// Tetrahedra that are filled anew at once.
 constexpr std::size_t kMaxCavity = 200;
+constexpr std::uint32_t kTetsPerReport = 1u << 16;
+constexpr std::uint64_t kFlipsPerReport = 1u << 12;
+constexpr std::size_t kCavitiesPerReport = 16;
 
 class LawsonFlips
 {
 public:
-    LawsonFlips(Delaunay3d& delaunay, Budget& budget)
+    LawsonFlips(Delaunay3d& delaunay, Budget& budget, RunContext& context)
         : mesh_(delaunay.triangulation()),
           filter_(delaunay.filter()),
           budget_(budget),
+          context_(context),
           replacement_(mesh_),
           holes_(mesh_)
     {
@@ -32,6 +36,8 @@ public:
     {
         for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) {
             const TetId tet(i);
+            if (i % kTetsPerReport == 0 && !mayGoOn(static_cast<double>(i) / mesh_.tetLimit()))
+                return counts_;
             if (!mesh_.isAlive(tet) || mesh_.isGhostTet(tet)) continue;
             for (int face = 0; face < 4; ++face) {
                 if (tet < mesh_.neighbour(tet, face).tet()) pushIfNotDelaunay({tet, face});
@@ -39,7 +45,7 @@ public:
         }
         do {
             flipUntilStuck();
-        } while (fillStuckOnes());
+        } while (!budget_.exhausted() && fillStuckOnes());
         return counts_;
     }
 
@@ -49,6 +55,12 @@ private:
         TetFace face;
         std::uint16_t generation;
     };
+
+    bool mayGoOn(double fraction)
+    {
+        context_.reportProgress("constrained Delaunay", fraction);
+        return budget_.allows({mesh_.vertexCount(), mesh_.tetCount()});
+    }
 
     [[nodiscard]] bool isCurrent(const Entry& entry) const
     {
@@ -78,13 +90,19 @@ private:
         }
     }
 
+    bool mayFlip()
+    {
+        if (counts_.flips % kFlipsPerReport == kFlipsPerReport - 1) return mayGoOn(1.0);
+        return budget_.allows({mesh_.vertexCount(), mesh_.tetCount()});
+    }
+
     void flipQueue()
     {
         while (!queue_.empty()) {
             const Entry entry = queue_.front();
             queue_.pop_front();
             if (!isCurrent(entry) || !isNotDelaunay(entry.face)) continue;
-            if (!budget_.allows({mesh_.vertexCount(), mesh_.tetCount()})) return;
+            if (!mayFlip()) return;
             const std::optional<Flip3d> flip = findFlip(entry.face);
             if (!flip) {
                 stuck_.push_back(entry);
@@ -152,9 +170,10 @@ private:
         std::vector<Entry> stuck;
         stuck.swap(stuck_);
         bool isChanged = false;
+        std::size_t tried = 0;
         for (const Entry& entry : stuck) {
             if (!isCurrent(entry) || !isNotDelaunay(entry.face)) continue;
-            if (!budget_.allows({mesh_.vertexCount(), mesh_.tetCount()})) return false;
+            if (++tried % kCavitiesPerReport == 0 ? !mayGoOn(1.0) : !mayFlip()) return false;
             const TetId tets[] = {entry.face.tet(), mesh_.neighbour(entry.face).tet()};
             if (!holes_.refill(tets, VertexId(), kMaxCavity)) continue;
             isChanged = true;
@@ -167,6 +186,7 @@ private:
     Triangulation3d& mesh_;
     const StaticFilter3d& filter_;
     Budget& budget_;
+    RunContext& context_;
     TetReplacement3d replacement_;
     HoleRefill holes_;
     ConstrainedDelaunayCounts counts_;
@@ -176,9 +196,10 @@ private:
 
 }  // namespace
 
-ConstrainedDelaunayCounts makeConstrainedDelaunay(ConstrainedTetrahedralization& tets, Budget& budget)
+ConstrainedDelaunayCounts makeConstrainedDelaunay(ConstrainedTetrahedralization& tets, Budget& budget,
+                                                  RunContext& context)
 {
-    return LawsonFlips(*tets.delaunay, budget).run();
+    return LawsonFlips(*tets.delaunay, budget, context).run();
 }
 
 }  // namespace mesher

@@ -19,6 +19,7 @@ struct ConstrainedDelaunayCounts
 /// Guarantees   constraints stay
 /// Terminates   always: each change lowers the lifted surface of the tetrahedra
 /// Reference    [lawson1977] [joe1991], [gosselin] §3.3.3 "Obtaining a CDT"
-ConstrainedDelaunayCounts makeConstrainedDelaunay(ConstrainedTetrahedralization& tets, Budget& budget);
+ConstrainedDelaunayCounts makeConstrainedDelaunay(ConstrainedTetrahedralization& tets, Budget& budget,
+                                                  RunContext& context);
 
 }  // namespace mesher

@@ -7,22 +7,25 @@ namespace mesher {
 namespace {
 
 constexpr std::uint64_t kInsertedBesides = 1000;
+constexpr std::uint64_t kTrialsPerReport = 16;
 
 }  // namespace
 
 ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints,
                                        const TetrahedralizationOptions& options, Budget& budget,
-                                       Tetrahedralization& result)
+                                       Tetrahedralization& result, RunContext& context)
     : constraints_(constraints),
       options_(options),
       budget_(budget),
       result_(result),
+      context_(context),
       flips_(constraints.mesh()),
       segments_(constraints, flips_, options.flipDepth),
       facets_(constraints, flips_),
       splits_(constraints),
       lifts_(constraints),
       remover_(constraints.tets()),
+      expected_(constraints.missingEdges.size() + constraints.missingFacets.size() + 1),
       maxInserted_(kInsertedBesides +
                    static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
       // Exact points may not be where they would help, so half of the allowance is kept for those that are.
@@ -39,6 +42,10 @@ bool ConstraintRecovery::mayInsert() const
 
 bool ConstraintRecovery::mayGoOn()
 {
+    if (tried_++ % kTrialsPerReport == 0) {
+        const auto tried = static_cast<double>(tried_);
+        context_.reportProgress("recovery", tried / (tried + static_cast<double>(expected_)));
+    }
     return budget_.allows({constraints_.mesh().vertexCount(), constraints_.mesh().tetCount()});
 }
 
@@ -74,6 +81,7 @@ Result<void> ConstraintRecovery::leaveTemporarySplits()
     for (std::size_t before = left + 1; left > 0 && left < before;) {
         before = left;
         for (std::size_t i = made.size(); i > 0; --i) {
+            if (!mayGoOn()) return {};
             if (made[i - 1].isTakenBack || !temporary->mayTakeBack(i - 1) || !lift(made[i - 1])) continue;
             constraints_.takeBack(i - 1);
             --left;

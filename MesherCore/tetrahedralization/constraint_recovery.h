@@ -12,12 +12,13 @@ namespace mesher {
 
 /// Recovers all that is listed as missing: edges first, then facets, and again for what splits put in their place.
 /// Errors       input that intersects itself
-/// Terminates   always; when the vertices allowed are used up, the rest become failures
+/// Terminates   always; when the vertices allowed are used up, the rest become failures; when cancelled, after the constraint
+///              at hand
 class ConstraintRecovery
 {
 public:
     ConstraintRecovery(SurfaceConstraints& constraints, const TetrahedralizationOptions& options,
-                       Budget& budget, Tetrahedralization& result);
+                       Budget& budget, Tetrahedralization& result, RunContext& context);
 
     Result<void> run();
 
@@ -44,12 +45,15 @@ private:
     const TetrahedralizationOptions& options_;
     Budget& budget_;
     Tetrahedralization& result_;
+    RunContext& context_;
     FlipSearch flips_;
     SegmentRecovery segments_;
     FacetRecovery facets_;
     ConstraintSplit splits_;
     SurfaceVertexLift lifts_;
     FreeVertexRemover remover_;
+    std::uint64_t tried_ = 0;
+    std::uint64_t expected_ = 0;  ///< to be tried, at least
     std::uint64_t maxInserted_ = 0;
     std::uint64_t maxExact_ = 0;
 };

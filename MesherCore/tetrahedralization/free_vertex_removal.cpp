@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kMaxHole = 120;
 /// A removal may make way for another.
 constexpr int kPasses = 3;
+constexpr std::size_t kTrialsPerReport = 64;
 
 std::vector<VertexId> listFree(const ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold)
 {
@@ -108,21 +109,27 @@ bool FreeVertexRemover::fillFrom(VertexId vertex, VertexId target)
     return true;
 }
 
-FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold)
+FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold,
+                                     Budget& budget, RunContext& context)
 {
-    FreeVertexRemoval result;
     std::vector<VertexId> free = listFree(tets, scaffold);
     const std::size_t all = free.size();
-    std::erase_if(free, [&](VertexId v) { return tets.delaunay->remove(v) == RemovalStatus::Removed; });
+    std::size_t tried = 0;
+    const auto mayGoOn = [&] {
+        if (++tried % kTrialsPerReport == 0)
+            context.reportProgress("removal of free vertices",
+                                   std::min(1.0, static_cast<double>(tried) / static_cast<double>(all)));
+        return budget.allows({tets.mesh().vertexCount(), tets.mesh().tetCount()});
+    };
+    std::erase_if(
+        free, [&](VertexId v) { return mayGoOn() && tets.delaunay->remove(v) == RemovalStatus::Removed; });
     FreeVertexRemover remover(tets);
     for (int pass = 0; pass < kPasses && !free.empty(); ++pass) {
         const std::size_t before = free.size();
-        std::erase_if(free, [&](VertexId vertex) { return remover.remove(vertex); });
+        std::erase_if(free, [&](VertexId vertex) { return mayGoOn() && remover.remove(vertex); });
         if (free.size() == before) break;
     }
-    result.removed = static_cast<std::uint32_t>(all - free.size());
-    result.left = static_cast<std::uint32_t>(free.size());
-    return result;
+    return {static_cast<std::uint32_t>(all - free.size()), static_cast<std::uint32_t>(free.size())};
 }
 
 }  // namespace mesher

@@ -48,7 +48,9 @@ struct FreeVertexRemoval
 
 /// Removes the vertices inside of solids that are no nodes, scaffold points and those that recovery added, as far as the
 /// tetrahedralization stays valid without them. Those outside stay, and scaffold points inside if they are to be Kept.
+/// Terminates   always; a budget that refuses leaves the rest
 /// Guarantees   constraints and regions stay; faces that were locally Delaunay stay so
-FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold);
+FreeVertexRemoval removeFreeVertices(ConstrainedTetrahedralization& tets, SurfaceScaffold scaffold,
+                                     Budget& budget, RunContext& context);
 
 }  // namespace mesher

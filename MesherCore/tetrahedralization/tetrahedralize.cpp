@@ -25,21 +25,21 @@ Result<void> checkOptions(const TetrahedralizationOptions& options)
 }
 
 Result<void> recover(SurfaceSplitter& surface, const TetrahedralizationOptions& options, Budget& budget,
-                     Tetrahedralization& result)
+                     RunContext& context, Tetrahedralization& result)
 {
     SurfaceConstraints constraints(surface, result.tets);
     findMissingConstraints(constraints);
     result.counts.missingEdges = static_cast<std::uint32_t>(constraints.missingEdges.size());
     result.counts.missingFacets = static_cast<std::uint32_t>(constraints.missingFacets.size());
-    ConstraintRecovery recovery(constraints, options, budget, result);
+    ConstraintRecovery recovery(constraints, options, budget, result, context);
     const Result<void> recovered = recovery.run();
     constraints.releaseTemporaryLocks();
     return recovered;
 }
 
-void restoreDelaunay(Budget& budget, Tetrahedralization& result)
+void restoreDelaunay(Budget& budget, RunContext& context, Tetrahedralization& result)
 {
-    const ConstrainedDelaunayCounts flips = makeConstrainedDelaunay(result.tets, budget);
+    const ConstrainedDelaunayCounts flips = makeConstrainedDelaunay(result.tets, budget, context);
     result.counts.delaunayFlips += flips.flips;
     result.counts.delaunayCavities += flips.cavities;
 }
@@ -67,17 +67,18 @@ Result<Tetrahedralization> tetrahedralize(SurfaceSplitter& surface, const Region
     if (Result<void> inserted = insertNodes(surface.mesh(), options, context, result); !inserted)
         return inserted.error();
     if (result.stopReason != StopReason::Done) return result;
-    if (Result<void> recovered = recover(surface, options, budget, result); !recovered)
+    if (Result<void> recovered = recover(surface, options, budget, context, result); !recovered)
         return recovered.error();
     if (!result.failures.empty() || result.stopReason != StopReason::Done) return result;
-    restoreDelaunay(budget, result);
+    restoreDelaunay(budget, context, result);
     if (Result<void> regions = classifyRegions(result.tets, surface.mesh(), sides); !regions)
         return regions.error();
-    const FreeVertexRemoval removal = removeFreeVertices(result.tets, options.scaffold);
+    const FreeVertexRemoval removal = removeFreeVertices(result.tets, options.scaffold, budget, context);
     result.counts.freeVerticesLeft = removal.left;
-    if (removal.removed > 0) restoreDelaunay(budget, result);
-    result.counts.nonDelaunayFaces = countNonDelaunayFaces(result.tets.mesh(), DelaunayPart::Inside);
+    if (removal.removed > 0) restoreDelaunay(budget, context, result);
     result.stopReason = budget.stopReason();
+    if (result.stopReason != StopReason::Done) return result;
+    result.counts.nonDelaunayFaces = countNonDelaunayFaces(result.tets.mesh(), DelaunayPart::Inside);
     checkResult(surface.mesh(), sides, result, context);
     return result;
 }

@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace mesher {
 namespace {
@@ -335,6 +338,36 @@ TEST(Tetrahedralize, stopsWhenCancelled)
     const auto result = tetrahedralize(sample.mesh, sample.sides, {}, context);
     ASSERT_TRUE(result);
     EXPECT_EQ(result->stopReason, StopReason::Cancelled);
+}
+
+TEST(Tetrahedralize, stopsInEachStepWhenItsProgressIsAnswered)
+{
+    const test::SampleSurface sample = test::torusSurface(120, 60, 0.1, 4);
+    std::vector<std::string> stages;
+    for (int report = 0;; ++report) {
+        int calls = 0;
+        std::string last;
+        RunSettings settings;
+        settings.progress = [&](std::string_view stage, double fraction) {
+            EXPECT_TRUE(fraction >= 0.0 && fraction <= 1.0) << stage << " " << fraction;
+            const bool isNew = stage != last;
+            last = stage;
+            // The first report of each step, and some in between.
+            if (isNew && std::find(stages.begin(), stages.end(), last) == stages.end())
+                stages.push_back(last);
+            return calls++ < report * 23;
+        };
+        test::SampleSurface copy = sample;
+        RunContext context(settings);
+        const auto result = tetrahedralize(copy.mesh, copy.sides, {}, context);
+        ASSERT_TRUE(result) << describe(result.error());
+        if (!context.isCancelled()) break;
+        EXPECT_EQ(result->stopReason, StopReason::Cancelled) << last;
+        EXPECT_EQ(calls, report * 23 + 1) << "a step after the cancelled one goes on: " << last;
+    }
+    const std::vector<std::string> all{"Delaunay tetrahedralization", "recovery", "constrained Delaunay",
+                                       "removal of free vertices"};
+    EXPECT_EQ(stages, all);
 }
 
 }  // namespace
