@@ -1,7 +1,7 @@
 #include "tetrahedralization/facet_recovery.h"
 
+#include "delaunay/hole_refill.h"
 #include "predicates/orient3d.h"
-#include "tetrahedralization/hole_refill.h"
 
 #include <algorithm>
 

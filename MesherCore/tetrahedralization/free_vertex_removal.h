@@ -1,8 +1,8 @@
 #pragma once
 
 #include "delaunay/constrained_tetrahedralization.h"
+#include "delaunay/hole_refill.h"
 #include "tetrahedralization/flip_search.h"
-#include "tetrahedralization/hole_refill.h"
 #include "tetrahedralization/tetrahedralize.h"
 
 #include <cstdint>

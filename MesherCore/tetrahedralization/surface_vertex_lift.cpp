@@ -1,7 +1,7 @@
 #include "tetrahedralization/surface_vertex_lift.h"
 
+#include "delaunay/hole_refill.h"
 #include "predicates/orient3d.h"
-#include "tetrahedralization/hole_refill.h"
 
 #include <algorithm>
 #include <cmath>

@@ -43,6 +43,7 @@ struct TetrahedralizationCounts
     std::uint32_t facetsByFlips = 0;
     std::uint32_t facetsByCavity = 0;
     std::uint32_t facetsByStar = 0;
+    std::uint32_t attempts = 1;     ///< at the recovery, in different orders
     std::uint32_t exactSplits = 0;  ///< new nodes on the exact geometry
     std::uint32_t temporarySplits =
         0;  ///< off the exact geometry, taken back but for those counted in the next two
@@ -53,7 +54,7 @@ struct TetrahedralizationCounts
         0;  ///< scaffold and additional vertices inside of solids that could not be removed
     std::uint64_t recoveryFlips = 0;
     std::uint64_t delaunayFlips = 0;
-    std::uint32_t delaunayCavities = 0;  ///< cavities filled anew where flips were stuck
+    std::uint64_t delaunayCavities = 0;  ///< cavities filled anew where flips were stuck
     std::uint64_t nonDelaunayFaces =
         0;  ///< at the end, inside of solids: faces with a vertex strictly inside of the sphere beside
 };

@@ -1,7 +1,7 @@
-#include "tetrahedralization/cavity_retriangulation.h"
+#include "delaunay/cavity_retriangulation.h"
 
+#include "delaunay/deepest_point.h"
 #include "predicates/orient3d.h"
-#include "tetrahedralization/deepest_point.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "tetrahedralization/hole_refill.h"
+#include "delaunay/hole_refill.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "tetrahedralization/deepest_point.h"
+#include "delaunay/deepest_point.h"
 
 #include "base/box.h"
 
