@@ -6,6 +6,7 @@
 #include "pipeline/classify_solids.h"
 #include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
+#include "pipeline/left_elements.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
@@ -168,6 +169,7 @@ private:
         refinement.sizing.field = sizes_.get();
         refinement.quality.measure = options_.measure;
         refinement.quality.threshold = options_.threshold;
+        refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
         refinement.limits.maxElements = options_.maxElements;
         refinement.limits.maxTime = timeLeft();
         const Clock::time_point start = Clock::now();
@@ -194,8 +196,13 @@ private:
         add("aborted_insertions", counts.abortedInsertions);
         add("refused_segments", counts.refusedSegments);
         add("refused_facets", counts.refusedFacets);
+        add("delaunay_flips", counts.delaunayFlips);
+        add("delaunay_cavities", counts.delaunayCavities);
+        add("facet_swaps", counts.facetSwaps);
+        add("non_delaunay_faces_left", counts.nonDelaunayFaces);
         add("tets_left", refined.left.size());
         add("tets_left_beside_small_angles", refined.leftForSmallAngles);
+        tellLeftElements(refined, report());
     }
 
     bool mayGoOn(StopReason reason)
@@ -312,6 +319,12 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
         error.message = component.inWhole(error.message);
         whole.failures.push_back(std::move(error));
     }
+    for (LeftElements left : part.left) {
+        left.reason = component.inWhole(left.reason);
+        for (std::string& entity : left.entities) entity = component.inWhole(entity);
+        whole.left.push_back(std::move(left));
+    }
+    for (const std::string& warning : part.warnings) whole.warnings.push_back(component.inWhole(warning));
     if (part.status == MeshReport::Status::Cancelled || whole.status == MeshReport::Status::Done)
         whole.status = part.status;
     if (whole.stopReason == StopReason::Done) whole.stopReason = part.stopReason;
@@ -319,6 +332,8 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
 
 void finish(const MeshOptions& options, MeshOutcome& outcome)
 {
+    std::stable_sort(outcome.report.left.begin(), outcome.report.left.end(),
+                     [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     describeMesh(*outcome.mesh, outcome.report);
     const bool isWhole = outcome.report.status == MeshReport::Status::Done;
