@@ -6,6 +6,7 @@
 #include "pipeline/classify_solids.h"
 #include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
+#include "pipeline/improve_solids.h"
 #include "pipeline/left_elements.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
@@ -62,8 +63,10 @@ public:
 
     MeshOutcome meshVolumes()
     {
-        if (isSampled_ && tetrahedralizeSample() && refine())
+        if (isSampled_ && tetrahedralizeSample() && refine()) {
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
+            if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
+        }
         return outcome_.mesh ? std::move(outcome_) : keepSurface();
     }
 
@@ -205,6 +208,41 @@ private:
         tellLeftElements(refined, report());
     }
 
+    void improve()
+    {
+        ImprovementOptions improvement;
+        improvement.maxSag = options_.sag;
+        improvement.limits.maxTime = timeLeft();
+        const Clock::time_point start = Clock::now();
+        const Result<SolidImprovement> improved =
+            improveSolids(*outcome_.mesh, model_, improvement, context_);
+        addSeconds("improvement", start);
+        if (!improved) {
+            failed(improved.error());
+            return;
+        }
+        tellImprovement(improved->improvement);
+        add("frozen_boundaries", improved->isBoundaryFrozen ? 1 : 0);
+        const StopReason reason = improved->improvement.stopReason;
+        tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+    }
+
+    void tellImprovement(const Improvement& improved)
+    {
+        const ImprovementCounts& counts = improved.counts;
+        report().anglesBeforeImprovement = improved.anglesBefore;
+        add("bad_tets_before_improvement", counts.badBefore);
+        add("bad_tets_after_improvement", counts.badAfter);
+        add("edge_removals", counts.edgeRemovals);
+        add("face_removals", counts.faceRemovals);
+        add("boundary_swaps", counts.boundarySwaps);
+        add("contractions", counts.contractions);
+        add("improvement_insertions", counts.insertions);
+        add("inner_moves", counts.innerMoves);
+        add("face_moves", counts.faceMoves);
+        add("edge_moves", counts.edgeMoves);
+    }
+
     bool mayGoOn(StopReason reason)
     {
         if (reason == StopReason::Done || reason == StopReason::CannotImprove) return true;
@@ -314,6 +352,11 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
 {
     for (const auto& [name, count] : part.counts) addTo(whole.counts, name, count);
     for (const auto& [name, spent] : part.seconds) addTo(whole.seconds, name, spent);
+    if (const auto& angles = part.anglesBeforeImprovement) {
+        if (!whole.anglesBeforeImprovement) whole.anglesBeforeImprovement = DihedralRange{};
+        DihedralRange& all = *whole.anglesBeforeImprovement;
+        all = {std::min(all.least, angles->least), std::max(all.largest, angles->largest)};
+    }
     for (Error error : part.failures) {
         error.entity = component.inWhole(error.entity);
         error.message = component.inWhole(error.message);
