@@ -11,6 +11,7 @@
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
+#include "pipeline/wall_estimate.h"
 #include "refinement/refine_volume.h"
 #include "surface_sampling/sample_surface.h"
 #include "tetrahedralization/tetrahedralize.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,10 +65,18 @@ public:
 
     MeshOutcome meshVolumes()
     {
-        if (isSampled_ && tetrahedralizeSample() && refine()) {
+        if (isSampled_ && canFillWalls() && tetrahedralizeSample() && refine()) {
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
             if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
         }
+        return outcome_.mesh ? std::move(outcome_) : keepSurface();
+    }
+
+    /// What there is of a run that goes no further.
+    MeshOutcome keepSurface()
+    {
+        if (sample_.surface && report().status != MeshReport::Status::Cancelled)
+            outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
         return std::move(outcome_);
     }
 
@@ -126,6 +136,19 @@ private:
         add("sample_vertices", counts.vertices);
         add("sample_facets", counts.facets);
         add("sample_segments", counts.segments);
+    }
+
+    bool canFillWalls()
+    {
+        const WallEstimate walls = estimateWalls(sample_.surface->mesh(), sides_);
+        if (walls.elements <= mostExpectedElements(options_)) return true;
+        std::ostringstream message;
+        message.precision(3);
+        message << "the wall behind it is " << walls.thickness << " thick, and about " << walls.elements
+                << " elements would be needed in walls so thin, more than --max-elements "
+                << options_.maxElements;
+        return failed({ErrorCode::OutOfRange, message.str(), nameOf(walls.face), walls.place,
+                       "thicken the wall, mesh a face of it with --dimension 2, or raise --max-elements"});
     }
 
     bool tetrahedralizeSample()
@@ -371,7 +394,8 @@ void finish(const MeshOptions& options, MeshOutcome& outcome)
                      [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     describeMesh(*outcome.mesh, outcome.report);
-    if (options.isChecked) checkWhole(*outcome.mesh, outcome.report);
+    const bool isWhole = outcome.report.status == MeshReport::Status::Done;
+    if (isWhole && options.isChecked) checkWhole(*outcome.mesh, outcome.report);
 }
 
 std::vector<SampledComponent> sampledComponents(const std::vector<ModelComponent>& components,
@@ -416,17 +440,15 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     std::deque<SolidRun> runs;
     for (const ModelComponent& component : components)
         runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
-    if (!tellContacts(sampledComponents(components, runs), whole.report)) return whole;
+    const bool areFree = tellContacts(sampledComponents(components, runs), whole.report);
     ClassifiedMesh mesh;
-    bool isWhole = true;
     for (std::size_t i = 0; i < components.size(); ++i) {
-        const MeshOutcome part = runs[i].meshVolumes();
+        const MeshOutcome part = areFree ? runs[i].meshVolumes() : runs[i].keepSurface();
         addReport(components[i], part.report, whole.report);
         if (part.mesh) appendComponent(components[i], *part.mesh, mesh);
-        isWhole = isWhole && part.mesh.has_value();
         if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     }
-    if (isWhole) whole.mesh = std::move(mesh);
+    if (!mesh.nodes.empty()) whole.mesh = std::move(mesh);
     finish(options, whole);
     return whole;
 }
