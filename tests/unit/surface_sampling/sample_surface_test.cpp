@@ -284,5 +284,52 @@ TEST(SampledSurface, StaysSoundThroughSplitsOfFacetsAndSegments)
     }
 }
 
+/// Swaps diagonals all over the surface and back, so that it ends as good as it was.
+std::size_t swapManyTimes(SampledSurface& surface)
+{
+    const SurfaceMesh& mesh = surface.mesh();
+    std::size_t swaps = 0;
+    const auto facets = static_cast<std::uint32_t>(mesh.facets.size());
+    for (std::uint32_t i = 0; i < facets; ++i) {
+        for (std::uint32_t k = i + 1; k < facets && mesh.facets[FacetId(i)].isAlive(); ++k) {
+            if (!mesh.facets[FacetId(k)].isAlive() || !surface.maySwap(FacetId(i), FacetId(k))) continue;
+            const BrepFaceId face = mesh.facets[FacetId(i)].face;
+            const auto made = surface.swap(FacetId(i), FacetId(k));
+            EXPECT_FALSE(mesh.facets[FacetId(i)].isAlive() || mesh.facets[FacetId(k)].isAlive());
+            EXPECT_EQ(mesh.facets[made[0]].face, face);
+            EXPECT_EQ(mesh.facets[made[1]].face, face);
+            EXPECT_TRUE(surface.maySwap(made[0], made[1]));
+            surface.swap(made[0], made[1]);
+            ++swaps;
+        }
+    }
+    return swaps;
+}
+
+TEST(SampledSurface, StaysSoundThroughSwapsOfDiagonals)
+{
+    for (const NamedModel& named : ordinarySolids()) {
+        SCOPED_TRACE(named.name);
+        Result<SurfaceSample> result = sample(named.model, 2.0 * named.size);
+        ASSERT_TRUE(result.hasValue());
+        EXPECT_GT(swapManyTimes(*result->surface), 20u);
+        expectSound(named.model, *result->surface);
+    }
+}
+
+TEST(SampledSurface, SwapsNoDiagonalAcrossAnEdgeOfTheModel)
+{
+    const BrepModel model = *makeBox({-1.0, 0.0, 0.5}, {0.0, 2.0, 1.0});
+    Result<SurfaceSample> result = sample(model, 0.5);
+    ASSERT_TRUE(result.hasValue());
+    const SurfaceMesh& mesh = result->surface->mesh();
+    for (std::uint32_t i = 0; i < mesh.facets.size(); ++i) {
+        for (std::uint32_t k = 0; k < mesh.facets.size(); ++k) {
+            if (mesh.facets[FacetId(i)].face == mesh.facets[FacetId(k)].face) continue;
+            EXPECT_FALSE(result->surface->maySwap(FacetId(i), FacetId(k)));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace mesher::test
