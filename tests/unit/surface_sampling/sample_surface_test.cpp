@@ -310,10 +310,12 @@ TEST(SampledSurface, StaysSoundThroughSwapsOfDiagonals)
 {
     for (const NamedModel& named : ordinarySolids()) {
         SCOPED_TRACE(named.name);
-        Result<SurfaceSample> result = sample(named.model, 2.0 * named.size);
+        Result<SurfaceSample> result = sample(named.model, 1.4 * named.size);
         ASSERT_TRUE(result.hasValue());
         EXPECT_GT(swapManyTimes(*result->surface), 20u);
         expectSound(named.model, *result->surface);
+        // Splits find the facets that swaps have made.
+        splitManyTimes(named.model, *result->surface, SurfaceSplitExtent::Delaunay);
     }
 }
 
