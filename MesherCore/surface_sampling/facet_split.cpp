@@ -14,6 +14,8 @@ namespace {
 
 /// Centres are taken whose surface looks away from the facet by no more than 60 degrees.
 constexpr double kLeastAgreement = 0.5;
+/// How far a projected centre may lie off the perpendicular, in circumradii.
+constexpr double kMostAside = 0.1;
 
 FacetShape shapeOf(const FaceMesh& mesh, TriangleId t)
 {
@@ -125,7 +127,11 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
     ++counts_.projectedCentres;
     const Vec2 inside = (1.0 / 3.0) * (record.uv[0] + record.uv[1] + record.uv[2]);
     const SurfaceFacts facts = geometry_.projected(*centre, inside);
-    if (squaredLength(facts.position - *centre) > shape.squaredRadius || looksAway(facts)) return {};
+    const Vec3 away = facts.position - *centre;
+    if (squaredLength(away) > shape.squaredRadius || looksAway(facts)) return {};
+    // At the end of the surface there is no foot of a perpendicular, only a nearest point.
+    const Vec3 aside = away - dot(away, facts.normal) * facts.normal;
+    if (squaredLength(aside) > kMostAside * kMostAside * shape.squaredRadius) return {};
     return facts;
 }
 
@@ -174,7 +180,10 @@ FacetSplitStatus FacetSplitter::evaluateLongestEdge(TriangleId t, StarExtent ext
     ++counts_.splitEdges;
     const unsigned i = nextCorner(side.edge()), k = previousCorner(side.edge());
     const Vec3 middle = 0.5 * (mesh_.position(record.v[i]) + mesh_.position(record.v[k]));
-    const SurfaceFacts facts = geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]));
+    const SurfaceFacts facts = geometry_.isInClosedForm()
+                                   ? geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]))
+                                   : geometry_.between(record.uv[i], mesh_.position(record.v[i]),
+                                                       record.uv[k], mesh_.position(record.v[k]));
     if (4.0 * squaredLength(facts.position - middle) > shape.squaredSide[shape.longest]) {
         return FacetSplitStatus::NotFound;
     }

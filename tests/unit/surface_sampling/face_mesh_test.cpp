@@ -142,7 +142,7 @@ TEST(FaceFlips, KeepParametersTogetherAcrossASeam)
     for (std::uint32_t i = 0; i < mesh->triangleSlots(); ++i) {
         for (unsigned k = 0; k < 3; ++k) {
             const EdgeLink side(TriangleId(i), k);
-            if (obstacleToFlip(*mesh, side) != FlipObstacle::None) continue;
+            if (obstacleToFlip(*mesh, geometry, side) != FlipObstacle::None) continue;
             flipsOfSeam += std::abs(mesh->shiftAcross(geometry, side).x) > 1.0 ? 1 : 0;
             flip(*mesh, geometry, side);
             ++flips;
@@ -167,7 +167,7 @@ TEST(FaceFlips, RefuseAnEdgeThatIsThereAlreadyAndOneThatFolds)
         mesh->findSide(mesh->triangle(TriangleId(0)).v[0], mesh->triangle(TriangleId(0)).v[1]);
     ASSERT_EQ(mesh->apex(side), north);
     ASSERT_EQ(mesh->apex(mesh->across(side)), south);
-    EXPECT_EQ(obstacleToFlip(*mesh, side), FlipObstacle::Folds) << "an edge through the centre";
+    EXPECT_EQ(obstacleToFlip(*mesh, geometry, side), FlipObstacle::Folds) << "an edge through the centre";
 }
 
 TEST(FaceStar, SplitsASegmentOfTheBorderIntoItsHalves)
