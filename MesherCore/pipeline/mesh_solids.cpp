@@ -333,6 +333,8 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     ClassifiedMesh mesh;
     bool isWhole = true;
     for (const ModelComponent& component : solidComponents(model)) {
+        whole.report.warnings.insert(whole.report.warnings.end(), component.notes.begin(),
+                                     component.notes.end());
         const MeshOutcome part =
             SolidRun(component.model, options, sizes.value(), context, start).meshSolids();
         addReport(component, part.report, whole.report);

@@ -86,7 +86,12 @@ void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, 
 
 bool FaceStar::isOnPolygon(VertexId v) const
 {
-    const auto touches = [v](const StarSide& side) { return side.a == v || side.b == v; };
+    // Two vertices of one node are one corner to those who see nodes.
+    const NodeId node = mesh_.vertex(v).node;
+    const auto isSame = [&](VertexId other) {
+        return other == v || (node.isValid() && mesh_.vertex(other).node == node);
+    };
+    const auto touches = [&](const StarSide& side) { return isSame(side.a) || isSame(side.b); };
     return std::any_of(sides_.begin(), sides_.end(), touches) ||
            std::any_of(open_.begin(), open_.end(), touches);
 }

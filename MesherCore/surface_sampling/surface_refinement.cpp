@@ -45,7 +45,7 @@ FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const Fac
     for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {
         FaceVertex& vertex = mesh.vertex(VertexId(i));
         vertex.size = criteria_.sizeAt(vertex.position, vertex.curvatureRadius);
-        if (vertex.node.isValid()) vertexOf_.insert(vertex.node, VertexId(i));
+        if (vertex.node.isValid()) setVertexOf(vertex.node, VertexId(i));
     }
 }
 
@@ -62,10 +62,10 @@ FaceRefinementCounts FaceRefiner::counts() const
     return counts;
 }
 
-VertexId FaceRefiner::vertexOf(NodeId node) const
+void FaceRefiner::setVertexOf(NodeId node, VertexId v)
 {
-    const VertexId* known = vertexOf_.find(node);
-    return known != nullptr ? *known : VertexId();
+    verticesOf_[node].push_back(v);
+    ++boundVertices_;
 }
 
 // ---- what is to be done ----------------------------------------------------------------------------------------------
@@ -252,10 +252,15 @@ bool FaceRefiner::isAtSmallAngle(const FaceTriangle& record, const FacetShape& s
 
 EdgeLink FaceRefiner::sideOf(const SegmentVertex& split) const
 {
-    const VertexId a = vertexOf(split.ends[0]), b = vertexOf(split.ends[1]);
-    if (!a.isValid() || !b.isValid()) return {};
-    for (const EdgeLink side : {mesh_.findSide(a, b), mesh_.findSide(b, a)}) {
-        if (side.isValid() && mesh_.segment(side) == split.segment) return side;
+    const auto* first = verticesOf_.find(split.ends[0]);
+    const auto* last = verticesOf_.find(split.ends[1]);
+    if (first == nullptr || last == nullptr) return {};
+    for (const VertexId a : *first) {
+        for (const VertexId b : *last) {
+            for (const EdgeLink side : {mesh_.findSide(a, b), mesh_.findSide(b, a)}) {
+                if (side.isValid() && mesh_.segment(side) == split.segment) return side;
+            }
+        }
     }
     return {};
 }
@@ -346,7 +351,7 @@ void FaceRefiner::insertOnSegment(const SegmentVertex& split)
     evaluateOnSide(side, split, StarExtent::Delaunay);
     const std::size_t forcedBefore = counts_.forcedStars;
     const VertexId v = splitter_.star().commit();
-    vertexOf_.insert(split.node, v);
+    setVertexOf(split.node, v);
     ++counts_.boundaryInsertions;
     if (counts_.forcedStars != forcedBefore) flipAround(v);
     mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) { queueTriangle(opposite.triangle()); });

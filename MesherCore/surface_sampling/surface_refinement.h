@@ -99,10 +99,9 @@ public:
     [[nodiscard]] FacetSplitter& splitter() { return splitter_; }
     [[nodiscard]] FaceMesh& mesh() { return mesh_; }
     /// Vertices that no other face knows.
-    [[nodiscard]] std::size_t freeVertexCount() const { return mesh_.vertexCount() - vertexOf_.size(); }
-    /// The vertex of a node of the model's mesh.
-    [[nodiscard]] VertexId vertexOf(NodeId node) const;
-    void setVertexOf(NodeId node, VertexId v) { vertexOf_.insert(node, v); }
+    [[nodiscard]] std::size_t freeVertexCount() const { return mesh_.vertexCount() - boundVertices_; }
+    /// To be told of a vertex for a node of the model's mesh that was not made here.
+    void setVertexOf(NodeId node, VertexId v);
 
 private:
     struct Waiting
@@ -135,7 +134,9 @@ private:
     BucketQueue<TriangleId> qualityQueue_;
     std::vector<Waiting> waiting_;
     std::vector<SegmentId> proposals_;
-    IndexedMap<NodeId, VertexId> vertexOf_;
+    /// More than one where the face touches itself in the node.
+    IndexedMap<NodeId, std::vector<VertexId>> verticesOf_;
+    std::size_t boundVertices_ = 0;  ///< in `verticesOf_`
     FaceRefinementCounts counts_;
     bool hasGivenUp_ = false;
 };
