@@ -42,7 +42,11 @@ std::vector<FacetIntersection> findSharedEdges(SampledSurface& surface)
             const auto [owner, isNew] = owners.insert(std::minmax(a.node, b.node), facet);
             if (isNew) continue;
             if (owner->isValid() && mesh.facets[*owner].face == mesh.facets[facet].face) continue;
-            found.push_back({owner->isValid() ? *owner : facet, facet, 0.5 * (a.position + b.position)});
+            // The last one yields, unless its surface is a plane, in which the other one has no business.
+            FacetIntersection pair{owner->isValid() ? *owner : facet, facet, 0.5 * (a.position + b.position)};
+            if (surface.faces().face(mesh.facets[facet].face)->geometry.isPlane())
+                std::swap(pair.first, pair.second);
+            found.push_back(pair);
         }
     }
     return found;

@@ -40,6 +40,7 @@ public:
     /// By parameter; 0 where the surface is not periodic.
     [[nodiscard]] Vec2 periods() const { return periods_; }
 
+    [[nodiscard]] bool isPlane() const { return isPlane_; }
     /// Projection needs no seed and has no other answers near it: quadrics and tori.
     [[nodiscard]] bool isInClosedForm() const { return isInClosedForm_; }
 

@@ -141,8 +141,10 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetN
     const FacetShape shape = shapeOf(mesh_, t);
     const double curvature = squaredCurvatureRadius(t);
     const bool mayHalve = need == FacetNeed::Size || 4.0 * shape.squaredSide[shape.longest] > curvature;
-    const auto halve = [&] { return mayHalve ? evaluateLongestEdge(t, extent) : FacetSplitStatus::NotFound; };
-    if (need == FacetNeed::Size && shape.squaredRadius > curvature) return evaluateLongestEdge(t, extent);
+    // Where the surface bends too much for its facets, the middle of the longest edge is always near.
+    const EdgeLink longest(t, shape.longest);
+    const auto halve = [&] { return mayHalve ? evaluateMiddleOf(longest, extent) : FacetSplitStatus::NotFound; };
+    if (need == FacetNeed::Size && shape.squaredRadius > curvature) return evaluateMiddleOf(longest, extent);
     const std::optional<SurfaceFacts> centre = findCentre(t);
     if (!centre) return halve();
     const FaceWalk walk = walkToPoint(mesh_, geometry_, t, centre->position);
@@ -167,12 +169,17 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetN
     return status == FacetSplitStatus::NotFound ? halve() : status;
 }
 
-/// Where the surface bends too much for its facets, the middle of the longest edge is always near.
-FacetSplitStatus FacetSplitter::evaluateLongestEdge(TriangleId t, StarExtent extent)
+FacetSplitStatus FacetSplitter::evaluateSide(EdgeLink side, StarExtent extent)
 {
-    const FaceTriangle& record = mesh_.triangle(t);
-    const FacetShape shape = shapeOf(mesh_, t);
-    const EdgeLink side(t, shape.longest);
+    encroached_.clear();
+    const FacetSplitStatus status = evaluateMiddleOf(side, extent);
+    const bool isOnlyNear = status == FacetSplitStatus::Encroaches && !mesh_.segment(side).isValid();
+    return isOnlyNear ? judgeFacetsOfStar() : status;
+}
+
+FacetSplitStatus FacetSplitter::evaluateMiddleOf(EdgeLink side, StarExtent extent)
+{
+    const FaceTriangle& record = mesh_.triangle(side.triangle());
     if (mesh_.segment(side).isValid()) {
         encroached_.push_back(mesh_.segment(side));
         return FacetSplitStatus::Encroaches;
@@ -184,7 +191,8 @@ FacetSplitStatus FacetSplitter::evaluateLongestEdge(TriangleId t, StarExtent ext
                                    ? geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]))
                                    : geometry_.between(record.uv[i], mesh_.position(record.v[i]),
                                                        record.uv[k], mesh_.position(record.v[k]));
-    if (4.0 * squaredLength(facts.position - middle) > shape.squaredSide[shape.longest]) {
+    if (4.0 * squaredLength(facts.position - middle) >
+        squaredLength(mesh_.position(record.v[k]) - mesh_.position(record.v[i]))) {
         return FacetSplitStatus::NotFound;
     }
     star_.evaluateOnSide(side, vertexAt(facts), facts.parameters, extent, {});
@@ -199,7 +207,11 @@ FacetSplitStatus FacetSplitter::judgeStar()
         if (encroaches(point, mesh_.position(side.a), mesh_.position(side.b)))
             encroached_.push_back(side.segment);
     }
-    if (!encroached_.empty()) return FacetSplitStatus::Encroaches;
+    return encroached_.empty() ? judgeFacetsOfStar() : FacetSplitStatus::Encroaches;
+}
+
+FacetSplitStatus FacetSplitter::judgeFacetsOfStar()
+{
     if (star_.isFolded()) {
         ++counts_.foldedStars;
         return FacetSplitStatus::NotFound;

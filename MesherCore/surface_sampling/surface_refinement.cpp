@@ -204,7 +204,8 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
     const FaceTriangle& record = mesh_.triangle(t);
     const FacetShape shape =
         FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
-    if (isAtSmallAngle(record, shape)) {
+    const bool isLocked = isAtSmallAngle(record, shape);
+    if (isLocked && !record.isForced) {
         mesh_.triangle(t).left = FacetLeft::SmallAngle;
         return;
     }
@@ -213,9 +214,13 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         mesh_.triangle(t).left = FacetLeft::Resolution;
         return;
     }
-    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need);
+    // Two faces in one small angle must not have the same facet there: one of them gets a vertex on the shell.
+    const FacetSplitStatus status =
+        isLocked ? splitter_.evaluateSide(EdgeLink(t, shape.shortest), StarExtent::Delaunay)
+                 : splitter_.evaluate(t, StarExtent::Delaunay, need);
     if (status == FacetSplitStatus::Ready) {
-        splitter_.star().commit();
+        const VertexId v = splitter_.star().commit();
+        mesh_.vertex(v).isOnShell = isLocked;
         queueMade(splitter_.star().made());
         ++(need == FacetNeed::Size ? counts_.sizeInsertions : counts_.qualityInsertions);
         return;
@@ -245,6 +250,10 @@ bool FaceRefiner::isAtSmallAngle(const FaceTriangle& record, const FacetShape& s
 {
     const FaceVertex& first = mesh_.vertex(record.v[nextCorner(shape.shortest)]);
     const FaceVertex& last = mesh_.vertex(record.v[previousCorner(shape.shortest)]);
+    if (first.isOnShell || last.isOnShell) {
+        const FaceVertex& apex = mesh_.vertex(record.v[shape.shortest]);
+        return !apex.isFree && (first.isOnShell || !first.isFree) && (last.isOnShell || !last.isFree);
+    }
     return !first.isFree && !last.isFree && boundary_.spansSmallAngle(first.node, last.node);
 }
 
