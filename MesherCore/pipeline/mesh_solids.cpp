@@ -49,7 +49,7 @@ public:
 
     MeshOutcome meshSolids()
     {
-        if (findSides() && sample() && tetrahedralizeSample() && refine())
+        if (findSides() && sample() && boundsVolumes() && tetrahedralizeSample() && refine())
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
         return std::move(outcome_);
     }
@@ -100,6 +100,13 @@ private:
         for (const auto& [face, error] : sample_.failures) fail(report(), error);
         if (!sample_.failures.empty()) return false;
         return mayGoOn(sample_.stopReason);
+    }
+
+    /// Facets that intersect bound nothing; which faces they are on is known here.
+    bool boundsVolumes()
+    {
+        for (const Error& error : sample_.counts.certificate.errors) fail(report(), error);
+        return sample_.counts.certificate.errors.empty();
     }
 
     void tellSample()

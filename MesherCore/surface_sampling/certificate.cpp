@@ -56,7 +56,7 @@ class Certifier
 {
 public:
     Certifier(SampledSurface& surface, const BudgetLimits& limits, RunContext& context)
-        : surface_(surface), limits_(limits), context_(context)
+        : surface_(surface), limits_(limits), time_(limits.maxTime), context_(context)
     {
     }
 
@@ -64,7 +64,10 @@ public:
     {
         for (;;) {
             const std::vector<FacetIntersection> crossing =
-                findFacetIntersections(surface_.faces().model(), surface_.mesh());
+                findFacetIntersections(surface_.faces().model(), surface_.mesh(), context_);
+            if (context_.isCancelled()) result_.refinement.stopReason = StopReason::Cancelled;
+            if (time_.isOver()) result_.refinement.stopReason = StopReason::TimeLimit;
+            if (result_.refinement.stopReason != StopReason::Done) break;
             const std::vector<FacetIntersection> shared = findSharedEdges(surface_);
             if (result_.rounds == 0) {
                 result_.found = crossing.size();
@@ -72,14 +75,13 @@ public:
             }
             result_.left = crossing.size() + shared.size();
             if (result_.left == 0) break;
-            const bool mayGoOn = result_.rounds < maxRounds && !context_.isCancelled();
-            if (!mayGoOn || !(forceLarger(crossing) | forceAtEdges(shared))) {
+            if (result_.rounds >= maxRounds || !(forceLarger(crossing) | forceAtEdges(shared))) {
                 report(crossing);
                 report(shared);
                 break;
             }
             ++result_.rounds;
-            const SamplingRounds rounds = surface_.faces().refine(limits_, kRoundsOfRefinement, context_);
+            const SamplingRounds rounds = surface_.faces().refine(limitsNow(), kRoundsOfRefinement, context_);
             result_.refinement.rounds += rounds.rounds;
             result_.refinement.segmentSplits += rounds.segmentSplits;
             result_.refinement.stopReason = rounds.stopReason;
@@ -90,6 +92,13 @@ public:
     }
 
 private:
+    [[nodiscard]] BudgetLimits limitsNow() const
+    {
+        BudgetLimits limits = limits_;
+        limits.maxTime = time_.now();
+        return limits;
+    }
+
     using FacePair = std::pair<BrepFaceId, BrepFaceId>;
     struct History
     {
@@ -185,6 +194,7 @@ private:
 
     SampledSurface& surface_;
     BudgetLimits limits_;
+    TimeLeft time_;
     RunContext& context_;
     SurfaceCertificate result_;
     IndexedMap<FacePair, History> histories_;

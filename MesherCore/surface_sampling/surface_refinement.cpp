@@ -174,12 +174,16 @@ void FaceRefiner::proposeAround(VertexId v)
 
 // ---- the loop --------------------------------------------------------------------------------------------------------
 
-StopReason FaceRefiner::refine(Budget& budget)
+void FaceRefiner::queueWaiting()
 {
     for (const Waiting& waiting : std::exchange(waiting_, {})) {
         const FaceTriangle& record = mesh_.triangle(waiting.triangle);
         if (record.isAlive && record.generation == waiting.generation) queueTriangle(waiting.triangle);
     }
+}
+
+StopReason FaceRefiner::refine(Budget& budget)
+{
     for (;;) {
         const bool isSize = !sizeQueue_.empty();
         const auto entry = (isSize ? sizeQueue_ : qualityQueue_).pop();

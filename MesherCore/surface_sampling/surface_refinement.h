@@ -82,8 +82,12 @@ public:
 
     /// Segments that are too long or encroached, as the mesh is: to be split before the inside is refined.
     void proposeSegments();
+    /// What waited for proposals is looked at again, whatever became of these.
+    void queueWaiting();
     /// Until nothing is left to do or all that is left waits for proposals.
     StopReason refine(Budget& budget);
+    /// Facets that are queued.
+    [[nodiscard]] std::size_t openCount() const { return sizeQueue_.size() + qualityQueue_.size(); }
     /// Ascending, each once.
     [[nodiscard]] std::vector<SegmentId> takeProposals();
     void insertOnSegment(const SegmentVertex& split);

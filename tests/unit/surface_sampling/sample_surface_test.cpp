@@ -201,13 +201,13 @@ TEST(SurfaceCertificate, RefinesAThinShellUntilItsWallsDoNotCross)
     RunContext context;
     const Result<SurfaceSample> coarse = sampleSurface(model, options, context);
     ASSERT_TRUE(coarse.hasValue());
-    EXPECT_FALSE(findFacetIntersections(model, coarse->surface->mesh()).empty()) << "nothing to do";
+    EXPECT_FALSE(findFacetIntersections(model, coarse->surface->mesh(), context).empty()) << "nothing to do";
     options.maxCertificateRounds = 20;
     const Result<SurfaceSample> result = sampleSurface(model, options, context);
     ASSERT_TRUE(result.hasValue());
     EXPECT_GT(result->counts.certificate.found, 0u);
     EXPECT_EQ(result->counts.certificate.left, 0u);
-    EXPECT_TRUE(findFacetIntersections(model, result->surface->mesh()).empty());
+    EXPECT_TRUE(findFacetIntersections(model, result->surface->mesh(), context).empty());
     EXPECT_GT(result->counts.vertices, coarse->counts.vertices);
     expectSound(model, *result->surface);
 }
