@@ -43,6 +43,31 @@ TEST(FaceMesh, LinksFacetsAcrossASeamAndTellsTheBorder)
     EXPECT_LT(check.largestDistance, 1e-12);
 }
 
+TEST(FaceMesh, GivesEachFanAVertexWhereTheFaceTouchesItself)
+{
+    // Two cells of four, that have nothing but the node in the middle in common.
+    FaceExample example = square(2);
+    const std::vector<SurfaceFacet> all = example.facets;
+    example.facets = {all[0], all[1], all[6], all[7]};
+    std::uint32_t next = 100;
+    for (const SurfaceFacet& facet : example.facets) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const NodeId a = facet.node[i], b = facet.node[(i + 1) % 3];
+            example.nodes[a].entity.dimension = 1;
+            const bool isDiagonal = facet.parameters[i].x != facet.parameters[(i + 1) % 3].x &&
+                                    facet.parameters[i].y != facet.parameters[(i + 1) % 3].y;
+            if (!isDiagonal) example.segments.insert(std::minmax(a, b), SegmentId(next++));
+        }
+    }
+    const FaceGeometry geometry(example.face);
+    const Result<FaceMesh> mesh = example.mesh(geometry);
+    ASSERT_TRUE(mesh.hasValue());
+    EXPECT_EQ(mesh->vertexCount(), 8u) << "seven nodes, one of them twice";
+    const FaceMeshCheck check = checkFaceMesh(*mesh, geometry);
+    EXPECT_EQ(check.report.problem, "");
+    EXPECT_EQ(check.components, 2u);
+}
+
 TEST(FaceMesh, RefusesTwoFacetsThatUseASideTheSameWay)
 {
     FaceExample example = square(2);
