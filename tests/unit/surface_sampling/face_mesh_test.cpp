@@ -195,6 +195,39 @@ TEST(FaceFlips, RefuseAnEdgeThatIsThereAlreadyAndOneThatFolds)
     EXPECT_EQ(obstacleToFlip(*mesh, geometry, side), FlipObstacle::Folds) << "an edge through the centre";
 }
 
+TEST(FaceFlips, NeverJoinThreeNodesOfAStraightBorder)
+{
+    // The normal of such a facet is rounding, which agrees with the surface half of the time.
+    int tried = 0;
+    for (int i = 0; i < 50; ++i) {
+        const double angle = 0.1 + 0.05 * i;
+        const Vec3 z{0.0, std::sin(angle), std::cos(angle)}, y{0.0, std::cos(angle), -std::sin(angle)};
+        const FaceExample example =
+            gridFace(std::make_shared<CylinderSurface>(Axes{{0.3, 0.7, 0.9}, {1.0, 0.0, 0.0}, y, z}, 1.0),
+                     {0.3, 0.9}, {0.0, 1.7}, 1, 2);
+        const FaceGeometry geometry(example.face);
+        Result<FaceMesh> mesh = example.mesh(geometry);
+        ASSERT_TRUE(mesh.hasValue());
+        // Nodes by column and row.
+        const auto vertexAt = [&](std::uint32_t node) {
+            for (std::uint32_t v = 0; v < mesh->vertexSlots(); ++v) {
+                if (mesh->vertex(VertexId(v)).node == NodeId(node)) return VertexId(v);
+            }
+            return VertexId();
+        };
+        EdgeLink diagonal = mesh->findSide(vertexAt(1), vertexAt(5));
+        if (!diagonal.isValid()) diagonal = mesh->findSide(vertexAt(5), vertexAt(1));
+        ASSERT_TRUE(diagonal.isValid());
+        ASSERT_EQ(obstacleToFlip(*mesh, geometry, diagonal), FlipObstacle::None);
+        flip(*mesh, geometry, diagonal);
+        const EdgeLink side = mesh->findSide(vertexAt(1), vertexAt(4));
+        ASSERT_TRUE(side.isValid());
+        EXPECT_EQ(obstacleToFlip(*mesh, geometry, side), FlipObstacle::Folds) << angle;
+        ++tried;
+    }
+    EXPECT_EQ(tried, 50);
+}
+
 TEST(FaceStar, SplitsASegmentOfTheBorderIntoItsHalves)
 {
     const FaceExample example = square(2);

@@ -241,9 +241,9 @@ TopoDS_Shape wing()
         TColgp_Array1OfPnt upper(1, kPoints), lower(1, kPoints);
         for (int i = 0; i < kPoints; ++i) {
             const double s = 0.5 * (1.0 - std::cos(kPi * i / (kPoints - 1.0)));
-            const double height = 0.3 * (std::sqrt(s) - s) * chord;
+            const double height = 0.13 * (std::sqrt(s) - s) * chord;
             upper.SetValue(i + 1, gp_Pnt(x + s * chord, y, height));
-            lower.SetValue(i + 1, gp_Pnt(x + s * chord, y, -0.5 * height));
+            lower.SetValue(i + 1, gp_Pnt(x + s * chord, y, -height));
         }
         BRepBuilderAPI_MakeWire wire(
             BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(GeomAPI_PointsToBSpline(upper).Curve())).Edge());
@@ -265,7 +265,7 @@ TEST(OcctSurfaces, AreRefinedWithoutFoldsAlongASharpNose)
     const auto read = readModelFromShape(wing());
     ASSERT_TRUE(read) << describe(read.error());
     SurfaceSamplingOptions options;
-    options.facets.maxSize = 40.0;
+    options.facets.maxSize = 80.0;
     options.facets.elementsPerTurn = 12.0;
     options.curves.segmentsPerTurn = 12.0;
     RunContext context;
