@@ -1,0 +1,153 @@
+#include "refinement/insert_circumcentre.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesher {
+
+Vec3 onGrid(const Vec3& p)
+{
+    constexpr double kSmallestCoordinate = 0x1p-147;
+    const auto rounded = [](double x) { return std::abs(x) < kSmallestCoordinate ? 0.0 : x; };
+    return {rounded(p.x), rounded(p.y), rounded(p.z)};
+}
+
+/// The circumcentre of the tetrahedron; where that is lost in rounding, of its largest face, which is in conflict too.
+Attempt CircumcentreInsertion::attempt(TetId tet)
+{
+    const std::optional<Vec3> centre = state_.criteria.circumcentre(tet);
+    const Attempt first = centre ? attemptAt(tet, onGrid(*centre)) : Attempt::Impossible;
+    if (first != Attempt::Impossible || badTets_.isSinkPhase()) return first;
+    if (!state_.criteria.isNearlyFlat(tet)) return centre ? insertShortOf(tet, *centre) : first;
+    const std::optional<Vec3> ofFace = state_.criteria.centreOfLargestFace(tet);
+    if (!ofFace) return Attempt::Impossible;
+    ++state_.counts.flatTets;
+    return attemptAt(tet, onGrid(*ofFace));
+}
+
+Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
+{
+    Delaunay3d& delaunay = *state_.t.delaunay;
+    const Cavity3d& conflicts = delaunay.findConflicts(point, tet);
+    const Encroached3d encroached = findEncroached(state_.mesh, conflicts, delaunay.filter());
+    if (encroached.segment[0].isValid() || encroached.facet.isValid()) return reject(tet, encroached);
+    if (encroached.hasFacetBehind) {
+        const TetFace blocking = firstConstraintTowards(state_.mesh, tet, point, delaunay.filter());
+        if (blocking.isValid()) return reject(tet, {{}, blocking, true});
+    }
+    const RegionId region = state_.mesh.region(tet);
+    if (delaunay.makeStarShaped().status != CavityStatus::Ready) {
+        ++state_.counts.abortedInsertions;
+        return Attempt::Impossible;
+    }
+    insert(region);
+    return Attempt::Inserted;
+}
+
+/// Where the boundary cannot be split: the circumcentre all the same, or a vertex halfway to the facet before it, if
+/// that leaves room around it.
+Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
+{
+    const TetFace blocking = firstConstraintTowards(state_.mesh, tet, centre, state_.t.delaunay->filter());
+    Vec3 point = centre;
+    if (blocking.isValid()) {
+        Vec3 start;
+        for (const VertexId v : state_.mesh.tet(tet).vertex) start = start + 0.25 * state_.mesh.position(v);
+        point = start + 0.5 * crossingOf(blocking, start, centre) * (centre - start);
+    }
+    if (!isFinite(point)) return Attempt::Impossible;
+    const RegionId region = state_.mesh.region(tet);
+    state_.t.delaunay->findConflicts(onGrid(point), tet);
+    const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
+    if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) return Attempt::Impossible;
+    ++state_.counts.shortInsertions;
+    insert(region);
+    return Attempt::Inserted;
+}
+
+/// Where the line from `start` (0) to `end` (1) meets the plane of a face.
+double CircumcentreInsertion::crossingOf(TetFace face, const Vec3& start, const Vec3& end) const
+{
+    const auto [a, b, c] = state_.mesh.faceVertices(face);
+    const Vec3& origin = state_.mesh.position(a);
+    const Vec3 normal = cross(state_.mesh.position(b) - origin, state_.mesh.position(c) - origin);
+    return dot(origin - start, normal) / dot(end - start, normal);
+}
+
+/// Whether all of the cavity's surface that counts keeps a part of the length scale away.
+bool CircumcentreInsertion::hasRoom(const Cavity3d& cavity, TetId tet) const
+{
+    constexpr double kLeastShare = 0.4;
+    const Triangulation3d& mesh = state_.mesh;
+    double room = 0.0;
+    for (const VertexId v : mesh.tet(tet).vertex) room += 0.25 * kLeastShare * state_.scale.guard(v);
+    for (const CavityFace3d& face : cavity.faces) {
+        for (const VertexId v : face.vertex) {
+            if (length(mesh.position(v) - cavity.point) < room) return false;
+        }
+    }
+    return std::all_of(cavity.constrainedFaces.begin(), cavity.constrainedFaces.end(), [&](TetFace outer) {
+        const auto [a, b, c] = mesh.faceVertices(mesh.neighbour(outer));
+        const Vec3& origin = mesh.position(a);
+        const Vec3 normal = cross(mesh.position(b) - origin, mesh.position(c) - origin);
+        return dot(cavity.point - origin, normal) >= 0.5 * room * length(normal);
+    });
+}
+
+void CircumcentreInsertion::insert(RegionId region)
+{
+    ConstrainedTetrahedralization& t = state_.t;
+    VertexClass classification;
+    classification.entity = (region.value - 1) & VertexClass::kNoEntity;
+    const VertexId v = t.delaunay->commit(classification).vertex;
+    if (t.nodeOf.size() <= v.value) t.nodeOf.resize(v.value + v.value / 4u + 16u);
+    t.nodeOf[v] = NodeId();
+    const bool isLow = state_.scale.assign(v, t.delaunay->neighboursOfCommitted());
+    for (const TetId created : t.delaunay->created()) badTets_.push(created);
+    if (isLow) badTets_.gradeAround(v);
+}
+
+Attempt CircumcentreInsertion::reject(TetId tet, const Encroached3d& encroached)
+{
+    if (badTets_.isSinkPhase()) return Attempt::Impossible;
+    ++state_.counts.rejectedCentres;
+    if (encroached.segment[0].isValid() && !wouldShrink(tet, encroached.segment)) {
+        const SegmentId* segment = state_.segmentAt(encroached.segment[0], encroached.segment[1]);
+        if (segment != nullptr && boundary_.pushSegment(*segment)) return Attempt::Rejected;
+    }
+    const bool mayPush =
+        encroached.facet.isValid() && !wouldShrink(tet, state_.mesh.faceVertices(encroached.facet));
+    if (mayPush && boundary_.pushFacetAt(encroached.facet)) return Attempt::Rejected;
+    return Attempt::Impossible;
+}
+
+/// Beside a small angle of the input a bad tetrahedron must not make edges shorter than its own, or they would get
+/// shorter and shorter.
+bool CircumcentreInsertion::wouldShrink(TetId tet, std::span<const VertexId> entity)
+{
+    if (!state_.guard.hasAny() || state_.criteria.judge(tet).need != TetNeed::Quality) return false;
+    if (!state_.isBesideSmallAngle(entity)) return false;
+    double longest = 0.0;
+    for (std::size_t i = 0; i < entity.size(); ++i) {
+        const Vec3 side =
+            state_.mesh.position(entity[(i + 1) % entity.size()]) - state_.mesh.position(entity[i]);
+        longest = std::max(longest, squaredLength(side));
+    }
+    if (0.25 * longest >= shortestSquaredEdge(tet)) return false;
+    ++state_.counts.guardedSplits;
+    return true;
+}
+
+double CircumcentreInsertion::shortestSquaredEdge(TetId tet) const
+{
+    const auto& v = state_.mesh.tet(tet).vertex;
+    double shortest = squaredLength(state_.mesh.position(v[1]) - state_.mesh.position(v[0]));
+    for (const auto& [from, to] : kEdgeSlots) {
+        const Vec3 edge = state_.mesh.position(v[static_cast<unsigned>(to)]) -
+                          state_.mesh.position(v[static_cast<unsigned>(from)]);
+        shortest = std::min(shortest, squaredLength(edge));
+    }
+    return shortest;
+}
+
+}  // namespace mesher

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "refinement/bad_tet_queue.h"
+#include "refinement/boundary_queue3d.h"
+#include "refinement/encroachment3d.h"
+#include "refinement/refinement_state3d.h"
+
+#include <cstdint>
+
+namespace mesher {
+
+enum class Attempt : std::uint8_t
+{
+    Inserted,
+    Rejected,  ///< something of the boundary was queued: try again when it is split
+    Impossible
+};
+
+/// Coordinates next to zero become zero, so that all of them are on the grid of the exact range.
+[[nodiscard]] Vec3 onGrid(const Vec3& p);
+
+/// Inserts the circumcentre of a tetrahedron, or queues what of the boundary it would encroach upon.
+/// Guarantees   what is inserted lies in the tetrahedron's region; new tetrahedra that need something are queued
+/// Reference    [gosselin] sections 4.3 and 4.7.2
+class CircumcentreInsertion
+{
+public:
+    CircumcentreInsertion(RefinementState3d& state, BadTetQueue& badTets, BoundaryQueue3d& boundary)
+        : state_(state), badTets_(badTets), boundary_(boundary)
+    {
+    }
+
+    Attempt attempt(TetId tet);
+
+private:
+    Attempt attemptAt(TetId tet, const Vec3& point);
+    Attempt insertShortOf(TetId tet, const Vec3& centre);
+    Attempt reject(TetId tet, const Encroached3d& encroached);
+    void insert(RegionId region);
+    [[nodiscard]] double crossingOf(TetFace face, const Vec3& start, const Vec3& end) const;
+    [[nodiscard]] bool hasRoom(const Cavity3d& cavity, TetId tet) const;
+    bool wouldShrink(TetId tet, std::span<const VertexId> entity);
+    [[nodiscard]] double shortestSquaredEdge(TetId tet) const;
+
+    RefinementState3d& state_;
+    BadTetQueue& badTets_;
+    BoundaryQueue3d& boundary_;
+};
+
+}  // namespace mesher

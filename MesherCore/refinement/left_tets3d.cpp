@@ -1,0 +1,77 @@
+#include "refinement/left_tets3d.h"
+
+#include "refinement/encroachment3d.h"
+#include "refinement/insert_circumcentre.h"
+
+#include <optional>
+
+namespace mesher {
+
+namespace {
+
+std::optional<SmallInputAngle> blameFor(const RefinementState3d& state, TetId tet)
+{
+    constexpr double kReach = 2.0;  // in length scales
+    Vec3 centroid;
+    double scale = 0.0;
+    for (const VertexId v : state.mesh.tet(tet).vertex) {
+        centroid = centroid + 0.25 * state.mesh.position(v);
+        scale += 0.25 * state.scale.guard(v);
+    }
+    return state.guard.blameFor((1.0 / state.t.scale) * centroid, kReach * scale / state.t.scale);
+}
+
+EntityRef boundaryInTheWay(RefinementState3d& state, TetId tet)
+{
+    const std::optional<Vec3> centre = state.criteria.circumcentre(tet);
+    if (!centre) return {};
+    Delaunay3d& delaunay = *state.t.delaunay;
+    const Cavity3d& conflicts = delaunay.findConflicts(onGrid(*centre), tet);
+    const Encroached3d encroached = findEncroached(state.mesh, conflicts, delaunay.filter());
+    if (encroached.segment[0].isValid()) {
+        const SegmentId* segment = state.segmentAt(encroached.segment[0], encroached.segment[1]);
+        if (segment != nullptr) return {1, state.splitter.mesh().segments[*segment].edge.value};
+    }
+    TetFace face = encroached.facet;
+    if (!face.isValid()) face = firstConstraintTowards(state.mesh, tet, onGrid(*centre), delaunay.filter());
+    if (!face.isValid()) return {};
+    const FacetId* facet = state.facetAt(face);
+    return facet == nullptr ? EntityRef{} : EntityRef{2, state.splitter.mesh().facets[*facet].face.value};
+}
+
+LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict, bool isStopped)
+{
+    LeftTet3d left;
+    left.tet = tet;
+    left.reason = LeftReason3d::Unfinished;
+    if (isStopped) return left;
+    left.angle = blameFor(state, tet);
+    if (left.angle) {
+        left.reason = LeftReason3d::SmallInputAngle;
+    } else if (verdict.need == TetNeed::Nothing) {
+        left.reason = LeftReason3d::LengthScale;
+    } else {
+        left.entity = boundaryInTheWay(state, tet);
+        left.reason =
+            left.entity.index != EntityRef::kNone ? LeftReason3d::Boundary : LeftReason3d::Resolution;
+    }
+    return left;
+}
+
+}  // namespace
+
+std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped)
+{
+    std::vector<LeftTet3d> left;
+    state.guard.collectPlaces(state.splitter.mesh());
+    for (std::uint32_t i = 0; i < state.mesh.tetLimit(); ++i) {
+        const TetId tet(i);
+        if (!state.isMeshed(tet)) continue;
+        const TetVerdict verdict = state.criteria.judge(tet);
+        if (verdict.need == TetNeed::Nothing && !state.criteria.isBad(tet)) continue;
+        left.push_back(explain(state, tet, verdict, isStopped));
+    }
+    return left;
+}
+
+}  // namespace mesher

@@ -1,0 +1,22 @@
+#include "refinement/refinement_state3d.h"
+
+#include <algorithm>
+
+namespace mesher {
+
+const FacetId* RefinementState3d::facetAt(TetFace face) const
+{
+    std::array<VertexId, 3> corners = mesh.faceVertices(face);
+    std::sort(corners.begin(), corners.end());
+    return t.facetOf.find(corners);
+}
+
+bool RefinementState3d::isBesideSmallAngle(std::span<const VertexId> entity) const
+{
+    return guard.hasAny() && std::any_of(entity.begin(), entity.end(), [&](VertexId v) {
+               const NodeId node = t.nodeOf[v];
+               return node.isValid() && guard.isSmallAt(splitter.mesh().nodes[node].entity);
+           });
+}
+
+}  // namespace mesher

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "delaunay/constrained_tetrahedralization.h"
+#include "mesh/surface_splitter.h"
+#include "refinement/delaunay_refinement3d.h"
+#include "refinement/length_scale3d.h"
+#include "refinement/refinement_criteria.h"
+#include "refinement/small_angle_guard.h"
+
+namespace mesher {
+
+/// What the steps of one refinement share: the mesh, what is wanted of it, and what was counted.
+struct RefinementState3d
+{
+    RefinementState3d(ConstrainedTetrahedralization& tetrahedralization, SurfaceSplitter& surfaceSplitter,
+                      const DelaunayRefinementOptions3d& wanted)
+        : t(tetrahedralization),
+          mesh(t.mesh()),
+          splitter(surfaceSplitter),
+          options(wanted),
+          scale(t, options.sizing),
+          criteria(mesh, scale, options.quality),
+          guard(t, splitter.mesh())
+    {
+    }
+
+    /// A finite tetrahedron of a region.
+    [[nodiscard]] bool isMeshed(TetId tet) const
+    {
+        return mesh.isAlive(tet) && mesh.region(tet) != kExteriorRegion && !mesh.isGhostTet(tet);
+    }
+    [[nodiscard]] std::array<VertexId, 3> cornersOf(FacetId facet) const
+    {
+        const auto& node = splitter.mesh().facets[facet].node;
+        return {t.vertexOf[node[0]], t.vertexOf[node[1]], t.vertexOf[node[2]]};
+    }
+    /// The facet of a constrained face, or none.
+    [[nodiscard]] const FacetId* facetAt(TetFace face) const;
+    /// The segment between two vertices, or none.
+    [[nodiscard]] const SegmentId* segmentAt(VertexId a, VertexId b) const
+    {
+        return t.segmentOf.find(unorderedPair(a, b));
+    }
+    /// Whether the entity has a vertex on a small angle: there the two sides of the angle always encroach upon each other.
+    [[nodiscard]] bool isBesideSmallAngle(std::span<const VertexId> entity) const;
+
+    ConstrainedTetrahedralization& t;
+    Triangulation3d& mesh;
+    SurfaceSplitter& splitter;
+    const DelaunayRefinementOptions3d& options;
+    LengthScale3d scale;
+    RefinementCriteria3d criteria;
+    SmallAngleGuard guard;
+    RefinementCounts3d counts;
+};
+
+}  // namespace mesher
