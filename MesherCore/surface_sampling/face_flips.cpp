@@ -38,8 +38,7 @@ FlipObstacle obstacleToFlip(const FaceMesh& mesh, const FaceGeometry& geometry, 
     const FaceVertex& d = mesh.vertex(far);
     const FaceTriangle &first = mesh.triangle(side.triangle()), &second = mesh.triangle(other.triangle());
     const Vec2 uvA = first.uv[nextCorner(side.edge())], uvB = first.uv[previousCorner(side.edge())],
-               uvC = first.uv[side.edge()],
-               uvD = second.uv[other.edge()] + mesh.shiftAcross(geometry, side);
+               uvC = first.uv[side.edge()], uvD = second.uv[other.edge()] + mesh.shiftAcross(geometry, side);
     const double after = std::min(facetAgreement(geometry, c, uvC, a, uvA, d, uvD),
                                   facetAgreement(geometry, c, uvC, d, uvD, b, uvB));
     if (after >= kLeastAgreement) return FlipObstacle::None;

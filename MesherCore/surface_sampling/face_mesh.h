@@ -34,7 +34,8 @@ struct FaceVertex
     bool isFree = false;  ///< not on an edge or vertex of the model: refinement made it and may remove it
     bool isSingularU = false;
     bool isSingularV = false;
-    bool isOnShell = false;  ///< free, and halves a side between two nodes of a shell around the apex of a small angle
+    bool isOnShell =
+        false;  ///< free, and halves a side between two nodes of a shell around the apex of a small angle
 
     [[nodiscard]] static FaceVertex of(const SurfaceFacts& facts);
     /// Gives the normal up unless another image of the vertex has the same: a face may meet itself at an angle.

@@ -109,9 +109,8 @@ bool FaceStar::isToBeRemoved(const StarSide& side) const
         return false;
     if (isOnPolygon(apex)) return false;
     const Vec2 uvC = behind.uv[side.outer.edge()] + shiftBehind(side);
-    const double after =
-        std::min(facetAgreement(geometry_, vertex_, side.uvVertex, a, side.uvA, c, uvC),
-                 facetAgreement(geometry_, vertex_, side.uvVertex, c, uvC, b, side.uvB));
+    const double after = std::min(facetAgreement(geometry_, vertex_, side.uvVertex, a, side.uvA, c, uvC),
+                                  facetAgreement(geometry_, vertex_, side.uvVertex, c, uvC, b, side.uvB));
     if (after >= kLeastAgreement) return true;
     return after >= std::min(facetAgreement(geometry_, vertex_, side.uvVertex, a, side.uvA, b, side.uvB),
                              facetAgreement(geometry_, b, side.uvB, a, side.uvA, c, uvC));

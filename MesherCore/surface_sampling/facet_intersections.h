@@ -24,8 +24,7 @@ struct FacetIntersection
 /// Guarantees   ascending in (first, second)
 /// Cost         O(n log n) for facets of bounded shape, by a tree of boxes
 /// Terminates   early, with those that were found, when the run is cancelled by its progress hook or otherwise
-[[nodiscard]] std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model,
-                                                                    const SurfaceMesh& mesh,
-                                                                    RunContext& context);
+[[nodiscard]] std::vector<FacetIntersection>
+findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh, RunContext& context);
 
 }  // namespace mesher

@@ -143,7 +143,9 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetN
     const bool mayHalve = need == FacetNeed::Size || 4.0 * shape.squaredSide[shape.longest] > curvature;
     // Where the surface bends too much for its facets, the middle of the longest edge is always near.
     const EdgeLink longest(t, shape.longest);
-    const auto halve = [&] { return mayHalve ? evaluateMiddleOf(longest, extent) : FacetSplitStatus::NotFound; };
+    const auto halve = [&] {
+        return mayHalve ? evaluateMiddleOf(longest, extent) : FacetSplitStatus::NotFound;
+    };
     if (need == FacetNeed::Size && shape.squaredRadius > curvature) return evaluateMiddleOf(longest, extent);
     const std::optional<SurfaceFacts> centre = findCentre(t);
     if (!centre) return halve();

@@ -88,7 +88,8 @@ struct InitialSurfaceMesh
     std::vector<std::pair<BrepFaceId, Error>> failures;
     std::size_t segmentSplits = 0;
     int rounds = 0;
-    StopReason stopReason = StopReason::Done;  ///< Cancelled or TimeLimit: some faces have no facets and no failure then
+    StopReason stopReason =
+        StopReason::Done;  ///< Cancelled or TimeLimit: some faces have no facets and no failure then
 };
 
 /// Meshes all faces: in each round the faces whose chains changed propose splits, which are then made in the order of the

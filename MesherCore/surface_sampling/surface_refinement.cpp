@@ -340,7 +340,8 @@ void FaceRefiner::flipAround(VertexId v)
     for (std::size_t flips = 0; !suspects.empty() && flips < kMostFlipsAround;) {
         const EdgeLink side = suspects.back();
         suspects.pop_back();
-        if (isLocallyDelaunay(mesh_, side) || obstacleToFlip(mesh_, geometry_, side) != FlipObstacle::None) continue;
+        if (isLocallyDelaunay(mesh_, side) || obstacleToFlip(mesh_, geometry_, side) != FlipObstacle::None)
+            continue;
         const EdgeLink diagonal = flip(mesh_, geometry_, side);
         ++flips;
         for (const EdgeLink half : {diagonal, mesh_.across(diagonal)}) {

@@ -100,8 +100,7 @@ void sampleModel(const Settings& settings, const char* path, const mesher::BrepM
     }
     const double chained = userSeconds();
     mesher::RunContext context;
-    const auto initial =
-        mesher::initialSurfaceMesh(model, *chains, nodes, {}, context, mesher::TimeLeft({}));
+    const auto initial = mesher::initialSurfaceMesh(model, *chains, nodes, {}, context, mesher::TimeLeft({}));
     const double meshed = userSeconds();
     const mesher::SurfaceMesh mesh = mesher::assembleSurfaceMesh(*chains, nodes, initial);
     const mesher::SurfaceCheck check = mesher::checkSurfaceMesh(model, mesh);

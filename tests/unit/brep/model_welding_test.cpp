@@ -28,9 +28,10 @@ void expectLoopsOnEdges(const BrepModel& model)
                     const double t = edge.part.at(k / 32.0);
                     const Vec2 uv = coedge.parameterCurve->position(t);
                     EXPECT_LT(length(face.surface->position(uv) - edge.curve->position(t)), kClose);
-                    const Vec2 next = coedge.parameterCurve->position(edge.part.at((k + 1) / 32.0));
-                    if (k < 32 && face.surface->kind() == SurfaceKind::Cylinder)
-                        EXPECT_LT(length(next - uv), 0.1 * length(whole)) << "jumps";
+                    const Vec2 uvNext = coedge.parameterCurve->position(edge.part.at((k + 1) / 32.0));
+                    if (k < 32 && face.surface->kind() == SurfaceKind::Cylinder) {
+                        EXPECT_LT(length(uvNext - uv), 0.1 * length(whole)) << "jumps";
+                    }
                 }
             }
         }
@@ -39,8 +40,7 @@ void expectLoopsOnEdges(const BrepModel& model)
 
 TEST(ModelWelding, LetsOneEdgeStandForTwoOfBoxesThatTouchAlongIt)
 {
-    BrepModel model =
-        together(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 0.0}, {2.0, 2.0, 1.0}));
+    BrepModel model = together(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 0.0}, {2.0, 2.0, 1.0}));
     const WeldedEntities welded = weldCoincidences(model);
     EXPECT_EQ(welded.vertices, 2u);
     EXPECT_EQ(welded.edges, 1u);
@@ -50,8 +50,7 @@ TEST(ModelWelding, LetsOneEdgeStandForTwoOfBoxesThatTouchAlongIt)
 
 TEST(ModelWelding, WeldsAVertexThatTwoBoxesTouchIn)
 {
-    BrepModel model =
-        together(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}));
+    BrepModel model = together(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}));
     const WeldedEntities welded = weldCoincidences(model);
     EXPECT_EQ(welded.vertices, 1u);
     EXPECT_EQ(welded.edges, 0u);

@@ -47,14 +47,14 @@ void expectMeshOfVolume(const BrepModel& model, double volume, const std::string
 
 TEST(MeshSolids, MeshesASolidThatTouchesItselfAlongAnEdge)
 {
-    expectMeshOfVolume(
-        oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 0.0}, {2.0, 2.0, 1.0})), 2.0, "Edge");
+    expectMeshOfVolume(oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 0.0}, {2.0, 2.0, 1.0})),
+                       2.0, "Edge");
 }
 
 TEST(MeshSolids, MeshesASolidThatTouchesItselfInAVertex)
 {
-    expectMeshOfVolume(
-        oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0})), 2.0, "Vertex");
+    expectMeshOfVolume(oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0})),
+                       2.0, "Vertex");
 }
 
 TEST(MeshSolids, NamesTheFacesWhereASolidCrossesItself)

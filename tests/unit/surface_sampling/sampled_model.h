@@ -31,8 +31,8 @@ inline void sampleInto(SampledModel& sampled, BrepModel model, const CurveChainO
     ASSERT_TRUE(chains) << describe(chains.error());
     sampled.chains = std::move(*chains);
     RunContext context;
-    sampled.initial = initialSurfaceMesh(sampled.model, sampled.chains, sampled.nodes, options, context,
-                                         TimeLeft({}));
+    sampled.initial =
+        initialSurfaceMesh(sampled.model, sampled.chains, sampled.nodes, options, context, TimeLeft({}));
     for (const auto& [face, error] : sampled.initial.failures) ADD_FAILURE() << describe(error);
     sampled.mesh = assembleSurfaceMesh(sampled.chains, sampled.nodes, sampled.initial);
 }
