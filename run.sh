@@ -35,7 +35,9 @@ open_workbench() {
     fi
     tools/setup.sh
     tools/build.sh release
-    exec freecad "$PWD/tools/open_in_workbench.FCMacro" -M "$PWD/build/release/Mod/Mesher" -- "$PWD/Resources/demos/bracket.step"
+    echo "the bracket is selected: menu Mesher, Mesh solid"
+    MESHER_MODEL="$PWD/Resources/demos/bracket.step" exec freecad "$PWD/tools/open_in_workbench.FCMacro" \
+        -M "$PWD/build/release/Mod/Mesher"
 }
 
 # A model is named from where the user stands.

@@ -1,7 +1,12 @@
 #include "mesh_panel.h"
 
-#include <QDoubleSpinBox>
+#include "length_box.h"
+#include "local_size_table.h"
+#include "quality_histogram.h"
+
+#include <QCheckBox>
 #include <QFormLayout>
+#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -16,64 +21,118 @@ namespace mesher::gui {
 namespace {
 
 constexpr int kProgressSteps = 1000;
-constexpr int kSmallestInputWidth = 80;  // pixels
+// The widest number that fits is no reason for a panel wider than FreeCAD's.
+constexpr int kSmallestInputWidth = 70;  // pixels
+constexpr int kGroupMargin = 4;          // pixels
+constexpr int kGroupTop = 10;            // pixels, below the title
 
-QDoubleSpinBox* lengthBox(const QString& name, const QString& none, QWidget* parent)
+template <class Widget>
+Widget* named(Widget* widget, const char* name)
 {
-    auto* box = new QDoubleSpinBox(parent);
-    box->setObjectName(name);
-    box->setDecimals(4);
-    box->setRange(0.0, 1e7);
-    box->setSuffix(QStringLiteral(" mm"));
-    box->setSpecialValueText(none);
-    // The widest number that fits is no reason for a panel wider than FreeCAD's.
+    widget->setObjectName(QLatin1String(name));
+    return widget;
+}
+
+LengthBox* lengthBox(const char* name, const QString& none, const QString& tip, QWidget* parent)
+{
+    auto* box = named(new LengthBox(none, parent), name);
     box->setMinimumWidth(kSmallestInputWidth);
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    box->setToolTip(tip);
     return box;
+}
+
+QLabel* wrappedLabel(const char* name, QWidget* parent)
+{
+    auto* label = named(new QLabel(parent), name);
+    label->setWordWrap(true);
+    return label;
 }
 
 }  // namespace
 
 MeshPanel::MeshPanel(QWidget* parent)
     : QWidget(parent),
-      size_(lengthBox(QStringLiteral("size"), tr("automatic"), this)),
-      minSize_(lengthBox(QStringLiteral("minSize"), tr("no limit"), this)),
-      curvature_(new QSpinBox(this)),
-      mesh_(new QPushButton(tr("Mesh"), this)),
-      cancel_(new QPushButton(tr("Stop"), this)),
-      progress_(new QProgressBar(this)),
-      stage_(new QLabel(this))
+      size_(lengthBox("size", tr("automatic"), tr("No edge is to be longer; units may be typed: 0.25 in"),
+                      this)),
+      minSize_(lengthBox("minSize", tr("no limit"), tr("No size asked for is to be smaller"), this)),
+      curvature_(named(new QSpinBox(this), "curvature")),
+      sag_(lengthBox("sag", tr("off"), tr("Largest distance of an edge from its curve or face"), this)),
+      improve_(named(new QCheckBox(tr("Improve afterwards"), this), "improve")),
+      localSizes_(new LocalSizeTable(this)),
+      estimate_(wrappedLabel("estimate", this)),
+      mesh_(named(new QPushButton(tr("Mesh"), this), "meshButton")),
+      cancel_(named(new QPushButton(tr("Stop"), this), "cancelButton")),
+      progress_(named(new QProgressBar(this), "progress")),
+      stage_(wrappedLabel("stage", this)),
+      summary_(wrappedLabel("summary", this)),
+      histogram_(new QualityHistogram(this)),
+      sizes_(sizeGroup()),
+      result_(makeResultGroup())
 {
-    curvature_->setObjectName(QStringLiteral("curvature"));
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(sizes_);
+    all->addWidget(runGroup());
+    all->addWidget(result_);
+    connectAll();
+    setRunning(false);
+    setSummary({});
+}
+
+QGroupBox* MeshPanel::sizeGroup()
+{
     curvature_->setRange(0, 3600);
     curvature_->setMinimumWidth(kSmallestInputWidth);
     curvature_->setSpecialValueText(tr("off"));
-    mesh_->setObjectName(QStringLiteral("meshButton"));
-    cancel_->setObjectName(QStringLiteral("cancelButton"));
-    progress_->setObjectName(QStringLiteral("progress"));
-    progress_->setRange(0, kProgressSteps);
-    stage_->setObjectName(QStringLiteral("stage"));
-    stage_->setWordWrap(true);
-    connect(mesh_, &QPushButton::clicked, this, &MeshPanel::meshRequested);
-    connect(cancel_, &QPushButton::clicked, this, &MeshPanel::cancelRequested);
-    layOut();
-    setRunning(false);
-}
-
-void MeshPanel::layOut()
-{
-    auto* form = new QFormLayout;
+    curvature_->setToolTip(tr("Elements around a full circle; 12 is coarse, 36 is fine"));
+    auto* group = new QGroupBox(tr("Sizes"), this);
+    auto* form = new QFormLayout(group);
+    form->setContentsMargins(kGroupMargin, kGroupTop, kGroupMargin, kGroupMargin);
     form->addRow(tr("Largest size"), size_);
     form->addRow(tr("Smallest size"), minSize_);
-    form->addRow(tr("Elements per full turn"), curvature_);
+    form->addRow(tr("Elements / turn"), curvature_);
+    form->addRow(tr("Chord deviation"), sag_);
+    form->addRow(localSizes_);
+    form->addRow(improve_);
+    return group;
+}
+
+QGroupBox* MeshPanel::runGroup()
+{
+    progress_->setRange(0, kProgressSteps);
+    auto* group = new QGroupBox(tr("Mesh"), this);
+    auto* all = new QVBoxLayout(group);
+    all->setContentsMargins(kGroupMargin, kGroupTop, kGroupMargin, kGroupMargin);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(mesh_);
     buttons->addWidget(cancel_);
-    auto* all = new QVBoxLayout(this);
-    all->addLayout(form);
+    all->addWidget(estimate_);
     all->addLayout(buttons);
     all->addWidget(progress_);
     all->addWidget(stage_);
+    return group;
+}
+
+QGroupBox* MeshPanel::makeResultGroup()
+{
+    auto* group = new QGroupBox(tr("Result"), this);
+    auto* all = new QVBoxLayout(group);
+    all->setContentsMargins(kGroupMargin, kGroupTop, kGroupMargin, kGroupMargin);
+    summary_->setTextFormat(Qt::RichText);
+    all->addWidget(summary_);
+    all->addWidget(histogram_);
+    return group;
+}
+
+void MeshPanel::connectAll()
+{
+    connect(mesh_, &QPushButton::clicked, this, &MeshPanel::meshRequested);
+    connect(cancel_, &QPushButton::clicked, this, &MeshPanel::cancelRequested);
+    for (LengthBox* box : {size_, minSize_, sag_})
+        connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MeshPanel::optionsChanged);
+    connect(curvature_, QOverload<int>::of(&QSpinBox::valueChanged), this, &MeshPanel::optionsChanged);
+    connect(localSizes_, &LocalSizeTable::sizesChanged, this, &MeshPanel::optionsChanged);
+    connect(localSizes_, &LocalSizeTable::selectionWanted, this, &MeshPanel::selectionWanted);
 }
 
 double MeshPanel::size() const { return size_->value(); }
@@ -82,8 +141,37 @@ double MeshPanel::minSize() const { return minSize_->value(); }
 void MeshPanel::setMinSize(double value) { minSize_->setValue(value); }
 int MeshPanel::curvature() const { return curvature_->value(); }
 void MeshPanel::setCurvature(int value) { curvature_->setValue(value); }
+double MeshPanel::sag() const { return sag_->value(); }
+void MeshPanel::setSag(double value) { sag_->setValue(value); }
+bool MeshPanel::isImproved() const { return improve_->isChecked(); }
+void MeshPanel::setImproved(bool value) { improve_->setChecked(value); }
+QVariantMap MeshPanel::localSizes() const { return localSizes_->sizes(); }
+void MeshPanel::setLocalSizes(const QVariantMap& sizes) { localSizes_->setSizes(sizes); }
+QString MeshPanel::estimate() const { return estimate_->text(); }
+void MeshPanel::setEstimate(const QString& text) { estimate_->setText(text); }
 QString MeshPanel::stage() const { return stage_->text(); }
 void MeshPanel::setStage(const QString& text) { stage_->setText(text); }
+QString MeshPanel::summary() const { return summary_->text(); }
+
+void MeshPanel::setSummary(const QString& text)
+{
+    summary_->setText(text);
+    result_->setVisible(!text.isEmpty());
+}
+
+QVariantList MeshPanel::histogram() const
+{
+    QVariantList counts;
+    for (const double count : histogram_->counts()) counts.append(count);
+    return counts;
+}
+
+void MeshPanel::setHistogram(const QVariantList& counts)
+{
+    QVector<double> numbers;
+    for (const QVariant& count : counts) numbers.append(count.toDouble());
+    histogram_->setCounts(numbers);
+}
 
 double MeshPanel::fraction() const
 {
@@ -100,10 +188,7 @@ void MeshPanel::setRunning(bool running)
     isRunning_ = running;
     mesh_->setEnabled(!running);
     cancel_->setEnabled(running);
-    for (QWidget* input : {static_cast<QWidget*>(size_), static_cast<QWidget*>(minSize_),
-                           static_cast<QWidget*>(curvature_)}) {
-        input->setEnabled(!running);
-    }
+    sizes_->setEnabled(!running);
     setFraction(0.0);
 }
 

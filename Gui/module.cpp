@@ -6,7 +6,8 @@
 
 PYBIND11_MODULE(mesher_gui, module)
 {
-    module.doc() = "The widgets of the workbench; each function returns the address of a new QWidget, to be wrapped by PySide.";
+    module.doc() = "The widgets of the workbench; each function returns the address of a new QWidget, to be "
+                   "wrapped by PySide.";
     module.def("create_mesh_panel", [] {
         return reinterpret_cast<std::uintptr_t>(static_cast<QWidget*>(new mesher::gui::MeshPanel));
     });

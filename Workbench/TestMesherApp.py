@@ -1,5 +1,4 @@
 """Tests without a window: freecadcmd -t TestMesherApp."""
-import math
 import os
 import tempfile
 import unittest
@@ -9,6 +8,7 @@ import Part
 
 import mesher
 from MesherWorkbench import make_mesh
+from MesherWorkbench.tools.mesh_tool import MeshTool
 
 
 def _groups_of(fem_mesh):
@@ -90,6 +90,44 @@ class MeshObject(_DocumentTest):
         coarse = make_mesh(plate, size=2.0, dimension=2).ElementCount
         self.assertGreater(make_mesh(plate, size=0.5, dimension=2).ElementCount, 4 * coarse)
 
+    def test_local_sizes_of_edges_and_faces(self):
+        plate = self._plate()
+        coarse = make_mesh(plate, size=2.0, dimension=2).ElementCount
+        for name in ("Edge1", "Vertex1", "Face1"):
+            with self.subTest(name):
+                mesh = make_mesh(plate, size=2.0, dimension=2, local_sizes={name: 0.2})
+                self.assertGreater(mesh.ElementCount, coarse + 10)
+
+    def test_local_sizes_are_named_as_in_the_part(self):
+        # What is meshed is Face6 alone, whose edges have other numbers there.
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        edges = [f"Edge{i}" for i, edge in enumerate(box.Shape.Edges, 1) if any(edge.isSame(e) for e in box.Shape.Faces[5].Edges)]
+        coarse = make_mesh((box, ["Face6"]), size=3.0)
+        fine = make_mesh((box, ["Face6"]), size=3.0, local_sizes={edges[-1]: 0.2})
+        self.assertGreater(fine.ElementCount, coarse.ElementCount + 10)
+        middle = box.Shape.getElement(edges[-1]).CenterOfMass
+        nearest = min(p.distanceToPoint(middle) for p in fine.FemMesh.Nodes.values())
+        self.assertLess(nearest, 0.2)
+
+    def test_mesh_regions_of_fem(self):
+        import ObjectsFem
+
+        plate = self._plate()
+        mesh = make_mesh(plate, size=2.0, dimension=2)
+        region = ObjectsFem.makeMeshRegion(self.document, mesh, 0.2)
+        region.References = [(plate, ("Edge1",))]
+        count = mesh.ElementCount
+        tool = MeshTool(mesh)
+        tool.fill_in(tool.run())
+        self.assertGreater(mesh.ElementCount, count + 10)
+
+    def test_estimate(self):
+        mesh = make_mesh(self._feature(Part.makeBox(10, 10, 10)), size=1.0)
+        expected = MeshTool(mesh).estimate()["elements"]
+        self.assertGreater(expected, 0.3 * mesh.ElementCount)
+        self.assertLess(expected, 3.0 * mesh.ElementCount)
+
     def test_save_and_reload(self):
         mesh = make_mesh(self._plate(), size=1.0, dimension=2)
         name, count, groups = mesh.Name, mesh.FemMesh.TriangleCount, _groups_of(mesh.FemMesh)
@@ -140,6 +178,32 @@ class Refusals(_DocumentTest):
     def test_senseless_size(self):
         with self.assertRaises((ValueError, mesher.MesherError)):
             mesher.mesh(Part.makePlane(1, 1), size=-1.0, dimension=2)
+
+    def test_senseless_options_leave_nothing(self):
+        plate = self._feature(Part.makePlane(1, 1))
+        before = len(self.document.Objects)
+        for options, error in (({"size": -1.0}, ValueError), ({"size": "big"}, TypeError), ({"dimension": 4}, ValueError),
+                               ({"local_sizes": {"Face1": 0.0}}, ValueError), ({"order": 3}, ValueError),
+                               ({"curvature": 12.5, "dimension": 2}, TypeError)):
+            with self.subTest(options=options), self.assertRaises(error):
+                make_mesh(plate, **options)
+        self.assertEqual(len(self.document.Objects), before)
+
+    def test_face_that_is_gone(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        with self.assertRaises(mesher.ModelError) as refused:
+            make_mesh((box, ["Face9"]), size=1.0)
+        self.assertIn("Face9", str(refused.exception))
+
+    def test_part_that_is_deleted(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        mesh = make_mesh(box, size=5.0)
+        self.document.removeObject("Box")
+        with self.assertRaises(mesher.ModelError) as refused:
+            MeshTool(mesh)
+        self.assertIn("no part", str(refused.exception))
 
     def test_unknown_option(self):
         with self.assertRaises(TypeError):
@@ -197,69 +261,4 @@ class Solids(_DocumentTest):
         shell = self._feature(Part.Shell(Part.makeBox(1, 1, 1).Faces[:5]), "Shell")
         with self.assertRaises(mesher.MeshingError) as refused:
             make_mesh(shell, size=0.5, dimension=3)
-        self.assertIn("--dimension 2", str(refused.exception))
-
-
-class CalculiX(_DocumentTest):
-    """Meshes that a solver takes: results of theory within two per cent."""
-
-    def _solve(self, part, mesh, fixed, loaded, force, direction):
-        import ObjectsFem
-        from femtools import ccxtools
-
-        analysis = ObjectsFem.makeAnalysis(self.document)
-        solver = ObjectsFem.makeSolverCalculixCcxTools(self.document)
-        material = ObjectsFem.makeMaterialSolid(self.document)
-        steel = material.Material
-        steel.update(Name="Steel", YoungsModulus="210000 MPa", PoissonRatio="0.30")
-        material.Material = steel
-        fixing = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
-        fixing.References = [(part, fixed)]
-        load = ObjectsFem.makeConstraintForce(self.document, "Force")
-        load.References = [(part, loaded)]
-        load.Force = force
-        load.Direction = (part, [direction])
-        for member in (solver, material, fixing, load, mesh):
-            analysis.addObject(member)
-        self.document.recompute()
-        with tempfile.TemporaryDirectory() as directory:
-            run = ccxtools.FemToolsCcx(analysis, solver)
-            run.update_objects()
-            run.setup_working_dir(directory)
-            run.setup_ccx()
-            self.assertEqual(run.check_prerequisites(), "")
-            run.purge_results()
-            run.write_inp_file()
-            self.assertEqual(run.ccx_run(), 0)
-            run.load_results()
-        return self.document.getObject("CCX_Results")
-
-    def test_bar_in_tension(self):
-        bar = self.document.addObject("Part::Box", "Bar")
-        bar.Length = bar.Width = 10
-        bar.Height = 100
-        self.document.recompute()
-        mesh = make_mesh(bar, size=3.0)
-        results = self._solve(bar, mesh, "Face5", "Face6", 1000.0, "Edge1")
-        displacement = max(results.DisplacementLengths)
-        exact = 1000.0 * 100.0 / (210000.0 * 100.0)
-        self.assertAlmostEqual(displacement, exact, delta=0.02 * exact)
-
-    def test_plate_with_a_hole_in_tension(self):
-        shape = Part.makeBox(100, 50, 5).cut(Part.makeCylinder(5, 5, FreeCAD.Vector(50, 25, 0)))
-        plate = self._feature(shape, "Plate")
-        names = {}
-        for number, face in enumerate(shape.Faces, 1):
-            if abs(face.normalAt(0, 0).x) > 0.9 and face.Surface.TypeId == "Part::GeomPlane":
-                names[round(face.CenterOfMass.x)] = f"Face{number}"
-        along = [f"Edge{i}" for i, edge in enumerate(shape.Edges, 1)
-                 if edge.Curve.TypeId == "Part::GeomLine" and abs(edge.tangentAt(edge.FirstParameter).x) > 0.9][0]
-        mesh = make_mesh(plate, size=4.0, curvature=16)
-        results = self._solve(plate, mesh, names[0], names[100], 1000.0, along)
-        nominal = 1000.0 * 100.0 / (210000.0 * 250.0)
-        # A small hole of radius a in a sheet of width W and length L adds 3 pi a^2 / (W L) to the compliance: by energy, the
-        # dilute limit of a body with circular holes under uniaxial stress.
-        exact = nominal * (1.0 + 3.0 * math.pi * 5.0**2 / (50.0 * 100.0))
-        end = set(mesh.FemMesh.getNodesByFace(shape.getElement(names[100])))
-        loaded = [vector.x for vector, node in zip(results.DisplacementVectors, results.NodeNumbers) if node in end]
-        self.assertAlmostEqual(abs(sum(loaded) / len(loaded)), exact, delta=0.02 * exact)
+        self.assertIn("dimension=2", str(refused.exception))

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-mapfile -d '' -t files < <(find MesherCore tests examples \( -name '*.h' -o -name '*.cpp' \) -print0 2>/dev/null | sort -z)
+mapfile -d '' -t files < <(find MesherCore Gui tests examples \( -name '*.h' -o -name '*.cpp' \) -print0 2>/dev/null | sort -z)
 case "${1:-}" in
     "") clang-format-14 -i "${files[@]}" ;;
     --check)

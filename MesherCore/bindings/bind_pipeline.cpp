@@ -1,13 +1,18 @@
 #include "bindings/bindings.h"
+#include "bindings/python_error.h"
 #include "bindings/python_options.h"
+#include "bindings/python_sizes.h"
 #include "brep/occt/read_model.h"
+#include "pipeline/estimate_model.h"
 #include "pipeline/mesh_model.h"
 
 #include <pybind11/stl.h>
 
+#include <chrono>
 #include <exception>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace mesher::python {
 
@@ -15,8 +20,11 @@ namespace py = pybind11;
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// Hands progress to a Python function and listens to Ctrl+C meanwhile. What Python raises ends the run and is raised again
-/// behind it, since no exception may cross the mesher.
+/// behind it, since no exception may cross the mesher. The interpreter may be busy with other threads, and each word to it has
+/// to wait for them: it hears of new stages, of each tenth and of the end, and of what is between every few milliseconds.
 class PythonProgress
 {
 public:
@@ -24,6 +32,12 @@ public:
 
     bool operator()(std::string_view stage, double fraction)
     {
+        const Clock::time_point now = Clock::now();
+        const bool isNews = stage != stage_ || fraction >= 1.0 || fraction >= fraction_ + kStep;
+        if (!isNews && now - told_ < kPause) return !raised_;
+        stage_ = stage;
+        fraction_ = fraction;
+        told_ = now;
         const py::gil_scoped_acquire acquired;
         if (raised_) return false;
         try {
@@ -41,14 +55,21 @@ public:
     }
 
 private:
+    static constexpr std::chrono::milliseconds kPause{10};
+    static constexpr double kStep = 0.1;
+
     py::object callback_;
+    std::string stage_;
+    double fraction_ = 0.0;
+    Clock::time_point told_;
     std::exception_ptr raised_;
 };
 
 std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& read, const py::dict& named,
                                                             py::object callback)
 {
-    const MeshOptions options = meshOptionsOf(named);
+    MeshOptions options = meshOptionsOf(named);
+    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
     PythonProgress progress(std::move(callback));
     RunSettings settings;
     settings.threads = options.threads;
@@ -61,7 +82,7 @@ std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& rea
     std::string report;
     {
         const py::gil_scoped_release released;
-        outcome = meshModel(read.model, options, nullptr, kBoundaryOrder, context);
+        outcome = meshModel(read.model, options, field, kBoundaryOrder, context);
         report = toJson(outcome.report);
     }
     progress.raiseAgain();
@@ -70,11 +91,39 @@ std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& rea
     return {std::move(mesh), std::move(report)};
 }
 
+py::dict estimate(const ReadModel& read, const py::dict& named)
+{
+    MeshOptions options = meshOptionsOf(named);
+    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
+    const Result<MeshEstimate> found = [&] {
+        const py::gil_scoped_release released;
+        return estimateModel(read.model, options, field);
+    }();
+    if (!found) {
+        const bool isOption = found.error().entity.starts_with("--");
+        raise(isOption ? "OptionError" : "MeshingError", found.error());
+    }
+    py::dict told;
+    told["elements"] = found.value().elements;
+    told["bytes"] = found.value().bytes;
+    told["seconds"] = found.value().seconds;
+    return told;
+}
+
+void validateOptions(const py::dict& named)
+{
+    MeshOptions options = meshOptionsOf(named);
+    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
+    if (const Result<void> valid = validate(options); !valid) raise("OptionError", valid.error());
+}
+
 }  // namespace
 
 void bindPipeline(py::module_& module)
 {
     module.def("run", &run, py::arg("model"), py::arg("options"), py::arg("progress") = py::none());
+    module.def("validate", &validateOptions, py::arg("options"));
+    module.def("estimate", &estimate, py::arg("model"), py::arg("options"));
 }
 
 }  // namespace mesher::python

@@ -6,8 +6,8 @@
 
 namespace mesher::python {
 
-/// The options that a dictionary names; None stands for the default.
-/// Raises       TypeError for a name that is none, or a value of another kind; ValueError for a measure that is none
+/// The options that a dictionary names, but for sizes in files and arrays; None stands for the default.
+/// Raises       TypeError for a name that is none, or a value of another kind; OptionError for a measure that is none
 [[nodiscard]] MeshOptions meshOptionsOf(const pybind11::dict& named);
 
 }  // namespace mesher::python

@@ -2,8 +2,8 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
-#include "cli/size_files.h"
 #include "io/mesh_writer.h"
+#include "io/read_size_fields.h"
 #include "io/write_curved_boundary.h"
 #include "io/write_text_file.h"
 #include "pipeline/mesh_model.h"
@@ -108,7 +108,8 @@ private:
 
     bool readSizes()
     {
-        Result<std::shared_ptr<const SizingField>> sizes = readSizeFiles(command_.options);
+        Result<std::shared_ptr<const SizingField>> sizes = readSizeFields(
+            command_.options.background, command_.options.sizePoints, command_.options.grading);
         if (!sizes) {
             fail(sizes.error());
             return false;

@@ -25,7 +25,7 @@ struct MeshCheckReport
     std::uint64_t badReferences = 0;  ///< elements with a node that does not exist, or one twice
     std::uint64_t nonFiniteNodes =
         0;  ///< a coordinate that is infinite, not a number, or too large for the exact tests
-    std::uint64_t duplicateNodes = 0;  ///< nodes at the place of another
+    std::uint64_t duplicateNodes = 0;  ///< at the place of another of the same connected part
     std::uint64_t orphanNodes = 0;     ///< in no element of the highest dimension
     std::uint64_t duplicateElements = 0;
 

@@ -1,6 +1,7 @@
 #include "mesh/mesh_check_steps.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace mesher::detail {
 
@@ -40,16 +41,47 @@ bool isComputable(const Vec3& p)
            std::abs(p.z) <= kLargestCheckedCoordinate;  // false for what is not a number
 }
 
-std::uint64_t countDuplicateNodes(const ClassifiedMesh& mesh)
+constexpr std::uint32_t kNoPart = 0xFFFFFFFFu;
+
+/// The connected part of the mesh that each node belongs to, by the elements of the highest dimension.
+std::vector<std::uint32_t> partsOfNodes(const ClassifiedMesh& mesh, const std::vector<char>& isUsed)
 {
+    std::vector<std::uint32_t> parent(mesh.nodes.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto rootOf = [&](std::uint32_t i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    const auto join = [&](const auto& elements) {
+        for (const auto& element : elements) {
+            const std::uint32_t first = rootOf(element.node.front().value);
+            for (const NodeId node : element.node) parent[rootOf(node.value)] = first;
+        }
+    };
+    join(mesh.tets);
+    if (mesh.tets.empty()) join(mesh.triangles);
+    for (std::uint32_t i = 0; i < parent.size(); ++i) parent[i] = rootOf(i);
+    for (std::uint32_t i = 0; i < parent.size(); ++i) {
+        if (isUsed[i] == 0) parent[i] = kNoPart;
+    }
+    return parent;
+}
+
+/// Parts that touch, of solids or faces that share nothing, have nodes of their own at one place.
+std::uint64_t countDuplicateNodes(const ClassifiedMesh& mesh, const std::vector<char>& isUsed)
+{
+    const std::vector<std::uint32_t> part = partsOfNodes(mesh, isUsed);
     std::vector<NodeId> order(mesh.nodes.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = NodeId(i);
     std::sort(order.begin(), order.end(), [&](NodeId a, NodeId b) {
-        return isLexicographicallyLess(mesh.nodes[a].position, mesh.nodes[b].position);
+        const Vec3 &p = mesh.nodes[a].position, &q = mesh.nodes[b].position;
+        return p == q ? part[a.value] < part[b.value] : isLexicographicallyLess(p, q);
     });
     std::uint64_t duplicates = 0;
     for (std::size_t i = 1; i < order.size(); ++i) {
-        if (mesh.nodes[order[i]].position == mesh.nodes[order[i - 1]].position) ++duplicates;
+        const NodeId a = order[i - 1], b = order[i];
+        const bool isApart = part[a.value] != part[b.value] && part[b.value] != kNoPart;
+        if (mesh.nodes[a].position == mesh.nodes[b].position && !isApart) ++duplicates;
     }
     return duplicates;
 }
@@ -89,13 +121,13 @@ bool checkReferences(const ClassifiedMesh& mesh, MeshCheckReport& report)
 
 void checkNodes(const ClassifiedMesh& mesh, MeshCheckReport& report)
 {
-    report.duplicateNodes = countDuplicateNodes(mesh);
     std::vector<char> isUsed(mesh.nodes.size());
     if (!mesh.tets.empty()) {
         markUsed(mesh.tets, isUsed);
     } else {
         markUsed(mesh.triangles, isUsed);
     }
+    report.duplicateNodes = countDuplicateNodes(mesh, isUsed);
     report.orphanNodes = static_cast<std::uint64_t>(std::count(isUsed.begin(), isUsed.end(), 0));
     report.duplicateElements = countDuplicates(mesh.points) + countDuplicates(mesh.lines) +
                                countDuplicates(mesh.triangles) + countDuplicates(mesh.tets);

@@ -2,6 +2,7 @@
 
 #include "pipeline/mesh_planar.h"
 #include "pipeline/mesh_solids.h"
+#include "pipeline/model_extent.h"
 #include "pipeline/planar_area.h"
 #include "pipeline/planar_model.h"
 #include "predicates/fp_environment.h"
@@ -64,6 +65,7 @@ MeshOutcome meshByDimension(const BrepModel& model, const MeshOptions& options,
 {
     if (const Result<void> sound = checkFloatingPointEnvironment(); !sound) return refuse(sound.error());
     if (const Result<void> possible = validate(options); !possible) return refuse(possible.error());
+    if (const Result<void> sound = checkExtent(model); !sound) return refuse(sound.error());
     if (options.dimension == 3) return meshSolids(model, options, std::move(fromFiles), context);
     if (isPlane(model, options))
         return meshPlaneFaces(model, options, std::move(fromFiles), boundaryOrder, context);

@@ -4,6 +4,7 @@
 #include "brep/solid_volume.h"
 #include "mesh/region_sides.h"
 #include "pipeline/classify_solids.h"
+#include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
@@ -14,8 +15,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace mesher {
 
@@ -47,9 +50,18 @@ public:
         report().options = options;
     }
 
-    MeshOutcome meshSolids()
+    /// The first half, after which solids can be compared with those of other groups.
+    bool sampleSurfaces() { return isSampled_ = findSides() && sample() && boundsVolumes(); }
+
+    [[nodiscard]] const SurfaceMesh* surface() const
     {
-        if (findSides() && sample() && boundsVolumes() && tetrahedralizeSample() && refine())
+        return isSampled_ ? &sample_.surface->mesh() : nullptr;
+    }
+    [[nodiscard]] const RegionSides& sides() const { return sides_; }
+
+    MeshOutcome meshVolumes()
+    {
+        if (isSampled_ && tetrahedralizeSample() && refine())
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
         return std::move(outcome_);
     }
@@ -212,6 +224,7 @@ private:
     RegionSides sides_;
     std::shared_ptr<const SizingField> sizes_;
     SurfaceSample sample_;
+    bool isSampled_ = false;
     Tetrahedralization tetrahedralization_;
     MeshOutcome outcome_;
 };
@@ -310,6 +323,17 @@ void finish(const MeshOptions& options, MeshOutcome& outcome)
     if (options.isChecked) checkWhole(*outcome.mesh, outcome.report);
 }
 
+std::vector<SampledComponent> sampledComponents(const std::vector<ModelComponent>& components,
+                                                const std::deque<SolidRun>& runs)
+{
+    std::vector<SampledComponent> sampled;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (runs[i].surface() != nullptr)
+            sampled.push_back({&components[i], runs[i].surface(), &runs[i].sides()});
+    }
+    return sampled;
+}
+
 MeshOutcome refused(const MeshOptions& options, const Error& error)
 {
     MeshOutcome outcome;
@@ -337,15 +361,19 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
         fail(whole.report, affordable.error());
         return whole;
     }
+    const std::vector<ModelComponent> components = solidComponents(model);
+    std::deque<SolidRun> runs;
+    for (const ModelComponent& component : components)
+        runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
+    if (!tellContacts(sampledComponents(components, runs), whole.report)) return whole;
     ClassifiedMesh mesh;
     bool isWhole = true;
-    for (const ModelComponent& component : solidComponents(model)) {
-        whole.report.warnings.insert(whole.report.warnings.end(), component.notes.begin(),
-                                     component.notes.end());
-        const MeshOutcome part =
-            SolidRun(component.model, options, sizes.value(), context, start).meshSolids();
-        addReport(component, part.report, whole.report);
-        if (part.mesh) appendComponent(component, *part.mesh, mesh);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        whole.report.warnings.insert(whole.report.warnings.end(), components[i].notes.begin(),
+                                     components[i].notes.end());
+        const MeshOutcome part = runs[i].meshVolumes();
+        addReport(components[i], part.report, whole.report);
+        if (part.mesh) appendComponent(components[i], *part.mesh, mesh);
         isWhole = isWhole && part.mesh.has_value();
         if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     }

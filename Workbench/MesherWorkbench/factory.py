@@ -1,6 +1,8 @@
 """The one place that makes mesh objects."""
 import FreeCAD
 
+import mesher
+
 from .objects.mesh import MesherMesh
 from .tools.mesh_tool import MeshTool
 
@@ -14,6 +16,7 @@ _PROPERTY_OF_OPTION = {
     "improve": "OptimizeStd",
     "threads": "Threads",
 }
+_OPTIONS = {*_PROPERTY_OF_OPTION, "dimension", "order", "local_sizes"}
 
 
 def make_mesh(source, *, name="Mesh", progress=None, **options):
@@ -21,7 +24,7 @@ def make_mesh(source, *, name="Mesh", progress=None, **options):
 
     `source` is a document object, one with the names of its faces (box, ["Face1", "Face6"]), a selection object of the GUI, or
     a list with one of them. Options: size, min_size, curvature, sag, refinement, grading, improve, threads, dimension (2 or 3),
-    order (1 or 2). `progress(stage, fraction)` ends the run by returning False.
+    order (1 or 2), local_sizes ({"Face6": 0.5}). `progress(stage, fraction)` ends the run by returning False.
 
     Raises what mesher.mesh raises; the document has no mesh object then.
     """
@@ -32,31 +35,46 @@ def make_mesh(source, *, name="Mesh", progress=None, **options):
     except BaseException:
         obj.Document.removeObject(obj.Name)
         raise
+    if FreeCAD.GuiUp:
+        from .viewproviders.view_mesh import show_mesh_instead_of_part
+
+        show_mesh_instead_of_part(obj)
     return obj
 
 
-def make_mesh_object(source, *, name="Mesh", dimension=None, order=1, **options):
+def make_mesh_object(source, *, name="Mesh", **options):
     """The object alone, not meshed yet."""
-    unknown = sorted(set(options) - set(_PROPERTY_OF_OPTION))
+    unknown = sorted(set(options) - _OPTIONS)
     if unknown:
         raise TypeError(f"make_mesh() has no option '{unknown[0]}'")
+    # Properties of lengths would make nothing of what is below zero, and say nothing.
+    mesher.validate(**options)
     part, names = _part_and_names(source)
     obj = part.Document.addObject("Fem::FemMeshObjectPython", name)
-    MesherMesh(obj)
-    obj.Part = part
-    if names:
-        obj.References = [(part, tuple(names))]
-    if dimension is not None or names:
-        obj.ElementDimension = "3D" if dimension == 3 else "2D"
-    obj.ElementOrder = "2nd" if order == 2 else "1st"
-    for option, value in options.items():
-        if value is not None:
-            setattr(obj, _PROPERTY_OF_OPTION[option], value)
+    try:
+        MesherMesh(obj)
+        obj.Part = part
+        if names:
+            obj.References = [(part, tuple(names))]
+        _set_options(obj, is_faces=bool(names), **options)
+    except BaseException:
+        obj.Document.removeObject(obj.Name)
+        raise
     if FreeCAD.GuiUp:
         from .viewproviders.view_mesh import ViewMesherMesh
 
         ViewMesherMesh(obj.ViewObject)
     return obj
+
+
+def _set_options(obj, is_faces, dimension=None, order=1, local_sizes=None, **options):
+    if dimension is not None or is_faces:
+        obj.ElementDimension = "3D" if dimension == 3 else "2D"
+    obj.ElementOrder = "2nd" if order == 2 else "1st"
+    obj.LocalSizes = {entity: f"{float(size)!r} mm" for entity, size in (local_sizes or {}).items()}
+    for option, value in options.items():
+        if value is not None:
+            setattr(obj, _PROPERTY_OF_OPTION[option], value)
 
 
 def _part_and_names(source):

@@ -6,4 +6,4 @@ profile="$(mktemp -d)"
 trap 'rm -rf "$profile"' EXIT
 mkdir "$profile/Mod"
 ln -s "$1" "$profile/Mod/Mesher"
-FREECAD_USER_HOME="$profile" PATH="/usr/bin:/bin:$PATH" freecadcmd -t TestMesherApp </dev/null
+PYTHONDONTWRITEBYTECODE=1 FREECAD_USER_HOME="$profile" PATH="/usr/bin:/bin:$PATH" freecadcmd -t TestMesherApp </dev/null

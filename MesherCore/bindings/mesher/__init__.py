@@ -8,34 +8,70 @@ import json
 
 from . import _core
 from ._core import Mesh, Model
-from .errors import Cancelled, MesherError, MeshingError, ModelError, WriteError
+from .errors import Cancelled, MesherError, MeshingError, ModelError, OptionError, WriteError, error_of
 from .fem_mesh import to_fem_mesh
 from .model_argument import model_of
 
 __version__ = _core.__version__
-__all__ = ["Cancelled", "Mesh", "MesherError", "MeshingError", "Model", "ModelError", "WriteError", "info", "mesh"]
+__all__ = ["Cancelled", "Mesh", "MesherError", "MeshingError", "Model", "ModelError", "OptionError", "WriteError",
+           "estimate", "info", "mesh", "model_of", "validate"]
 
 
-def mesh(source, *, progress=None, heal=False, **options):
-    """Meshes a model: the path of a file (STEP, IGES, BREP), a Part.Shape, or a document object that has a shape.
+def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=None, min_size=None, curvature=0.0, sag=0.0,
+         refinement=1.0, grading=1.0, local_sizes=None, size_distance=None, size_box=None, size_ball=None, size_formula=None,
+         size_points=None, background=None, min_angle=30.0, max_turn=90.0, measure="q2", threshold=None, improve=True, order=1,
+         threads=1, max_elements=50_000_000, timeout=None, check=False):
+    """Meshes a model: the path of a file (STEP, IGES, BREP), a Part.Shape, a document object that has a shape, or a Model.
 
-    Options are those of the command line with underscores: dimension (2 or 3), size, min_size, curvature, sag, refinement,
-    grading, local_sizes ({"Face6": 0.5}), min_angle, max_turn, measure ("q1" ... "q8"), threshold, improve, order, threads,
-    max_elements, timeout (seconds), check. Lengths are in the model's unit, angles in degrees.
+    Lengths are in the model's unit, angles in degrees; None leaves a choice to the mesher. Of several sizes the smallest holds.
 
-    `progress(stage, fraction)` is told how far the run is and ends it by returning False. Other threads run meanwhile.
+    progress        function (stage, fraction): told how far the run is, ends it by returning False; other threads run meanwhile
+    heal            repair the shape first
+    dimension       3 tetrahedra in the solids, 2 triangles on the faces
+    faces           what is meshed in two dimensions: ["Face3"]; None is all
+    size, min_size  the largest size, and the least that any other option may ask for
+    curvature       elements in a full turn of a curve; 0 is off
+    sag             largest distance of an edge from its curve; 0 is off
+    refinement      R: boundary size is local feature size / R (plane faces)
+    grading         G: sizes grow by at most distance / G
+    local_sizes     {"Face6": 0.5} on faces, edges and vertices
+    size_distance   {"Edge3": (size, growth[, plateau])}: by the distance from an entity
+    size_box        [(corner, opposite corner, size[, growth])]
+    size_ball       [(centre, radius, size[, growth])]
+    size_formula    of x, y, z: "0.1 + 0.05*x"
+    size_points     array with rows x, y, z, size, or the path of such a text file
+    background      (nodes, elements, sizes): arrays of a mesh with a size at each node, or the path of a .msh or .vtu file
+    min_angle, max_turn, measure, threshold     quality: least angle of triangles; turn of the tangent along an edge;
+                    the measure of tetrahedra, "q1" to "q8", and the score below which they are refined
+    improve         improve the elements after the refinement
+    order           1; elements of second order are not there yet
+    threads         the mesh does not depend on them
+    max_elements, timeout       limits; seconds
+    check           check the mesh as a whole before it is returned
 
-    Raises ModelError, MeshingError (with `failures`, `report` and what there is of a `mesh`), Cancelled; TypeError and
-    ValueError for options that make no sense.
+    Raises ModelError, MeshingError (with `failures`, `report` and what there is of a `mesh`), Cancelled; OptionError, which is a
+    ValueError, for values that make no sense, and TypeError for those of another kind.
     """
+    options = {name: value for name, value in locals().items() if name not in ("source", "progress", "heal")}
     result, text = _core.run(model_of(source, heal), options, progress)
     report = json.loads(text)
+    if result is not None:
+        result.report = report
     if report["status"] == "cancelled":
         raise Cancelled("the run was cancelled", report["failures"], report, result)
     if report["status"] != "done":
-        raise _failure_of(report, result)
-    result.report = report
+        raise error_of(report, result)
     return result
+
+
+def estimate(source, *, heal=False, **options):
+    """What mesh(source, **options) is going to take, within a factor of about two: {"elements", "bytes", "seconds"}."""
+    return _core.estimate(model_of(source, heal), options)
+
+
+def validate(**options):
+    """Raises what mesh() would raise for options that make no sense whatever the model is: TypeError, OptionError."""
+    _core.validate(options)
 
 
 def info(source, heal=False):
@@ -43,20 +79,10 @@ def info(source, heal=False):
     return json.loads(model_of(source, heal).info_json())
 
 
-def _sentence(failure):
-    parts = [f"{failure['entity']}: {failure['reason']}" if failure["entity"] else failure["reason"]]
-    if failure["remedy"]:
-        parts.append(failure["remedy"])
-    return "; ".join(parts) + "."
-
-
-def _failure_of(report, partial):
-    failures = report["failures"]
-    text = "\n".join(_sentence(failure) for failure in failures)
-    if failures and failures[0]["entity"].startswith("--"):
-        return ValueError(text)
-    return MeshingError(text, failures, report, partial)
+def _quality(self):
+    """Of the elements, as in the report: smallest and largest angle in degrees, histogram, ratios."""
+    return self.report["quality"]
 
 
 Mesh.to_fem_mesh = to_fem_mesh
-Mesh.quality = lambda self: self.report["quality"]
+Mesh.quality = _quality

@@ -1,57 +1,103 @@
 from os import PathLike
-from typing import Any, Callable, Literal, Mapping, Optional, Union
+from typing import Any, Callable, Literal, Mapping, Optional, Sequence, TypedDict, Union
 
 import numpy
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 
-Failure = Mapping[str, Any]
+Path = Union[str, PathLike[str]]
+Point = Sequence[float]
 Progress = Callable[[str, float], Optional[bool]]
+
+class Failure(TypedDict):
+    entity: str
+    point: Optional[Sequence[float]]
+    reason: str
+    remedy: str
+
+class Estimate(TypedDict):
+    elements: float
+    bytes: float
+    seconds: float
 
 class MesherError(Exception):
     failures: list[Failure]
     report: Optional[dict[str, Any]]
     mesh: Optional["Mesh"]
+    def __init__(
+        self,
+        message: str,
+        failures: Sequence[Mapping[str, Any]] = (),
+        report: Optional[dict[str, Any]] = None,
+        mesh: Optional["Mesh"] = None,
+    ) -> None: ...
 
 class ModelError(MesherError): ...
 class MeshingError(MesherError): ...
+class OptionError(MesherError, ValueError): ...
 class Cancelled(MesherError): ...
 class WriteError(MesherError): ...
 
 class Model:
-    format: str
-    unit: str
-    solid_count: int
-    face_count: int
-    edge_count: int
-    vertex_count: int
+    """A B-rep model, read once and meshed as often as you like."""
+
+    @property
+    def format(self) -> str: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def solid_count(self) -> int: ...
+    @property
+    def face_count(self) -> int: ...
+    @property
+    def edge_count(self) -> int: ...
+    @property
+    def vertex_count(self) -> int: ...
     @staticmethod
-    def read(path: Union[str, PathLike[str]], heal: bool = False) -> Model: ...
+    def read(path: Path, heal: bool = False) -> Model: ...
     def info_json(self) -> str: ...
 
 class Mesh:
-    """Arrays are views of the mesh's own memory, read-only; entities count from 0."""
+    """Arrays are views of the mesh's own memory, read-only; nodes and entities count from 0."""
 
-    nodes: NDArray[numpy.float64]
-    """(n, 3), model units"""
-    node_dimension: NDArray[numpy.uint8]
-    """(n,): 0 on a vertex, 1 on an edge, 2 on a face, 3 inside of a solid"""
-    node_entity: NDArray[numpy.uint32]
-    points: NDArray[numpy.uint32]
-    lines: NDArray[numpy.uint32]
-    triangles: NDArray[numpy.uint32]
-    tets: NDArray[numpy.uint32]
-    point_vertex: NDArray[numpy.uint32]
-    line_edge: NDArray[numpy.uint32]
-    triangle_face: NDArray[numpy.uint32]
-    tet_solid: NDArray[numpy.uint32]
-    unit: str
-    hash: int
     report: dict[str, Any]
+    @property
+    def nodes(self) -> NDArray[numpy.float64]:
+        """(n, 3), model units"""
+    @property
+    def node_dimension(self) -> NDArray[numpy.uint8]:
+        """(n,): 0 on a vertex, 1 on an edge, 2 on a face, 3 inside of a solid"""
+    @property
+    def node_entity(self) -> NDArray[numpy.uint32]:
+        """(n,): which vertex, edge, face or solid"""
+    @property
+    def points(self) -> NDArray[numpy.uint32]:
+        """(n, 1): nodes on vertices"""
+    @property
+    def lines(self) -> NDArray[numpy.uint32]:
+        """(n, 2)"""
+    @property
+    def triangles(self) -> NDArray[numpy.uint32]:
+        """(n, 3)"""
+    @property
+    def tets(self) -> NDArray[numpy.uint32]:
+        """(n, 4), positive as in VTK"""
+    @property
+    def point_vertex(self) -> NDArray[numpy.uint32]: ...
+    @property
+    def line_edge(self) -> NDArray[numpy.uint32]: ...
+    @property
+    def triangle_face(self) -> NDArray[numpy.uint32]: ...
+    @property
+    def tet_solid(self) -> NDArray[numpy.uint32]: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def hash(self) -> int: ...
     def quality(self) -> dict[str, Any]: ...
     def check(self) -> list[str]: ...
-    def write(self, path: Union[str, PathLike[str]], format: str = "") -> None: ...
+    def write(self, path: Path, format: str = "") -> None: ...
     def to_fem_mesh(self, lines: bool = False, names: Optional[Mapping[str, str]] = None) -> Any: ...
 
 def mesh(
@@ -60,6 +106,7 @@ def mesh(
     progress: Optional[Progress] = None,
     heal: bool = False,
     dimension: Literal[2, 3] = 3,
+    faces: Optional[Sequence[str]] = None,
     size: Optional[float] = None,
     min_size: Optional[float] = None,
     curvature: float = 0.0,
@@ -67,6 +114,12 @@ def mesh(
     refinement: float = 1.0,
     grading: float = 1.0,
     local_sizes: Optional[Mapping[str, float]] = None,
+    size_distance: Optional[Mapping[str, Sequence[float]]] = None,
+    size_box: Optional[Sequence[tuple[Any, ...]]] = None,
+    size_ball: Optional[Sequence[tuple[Any, ...]]] = None,
+    size_formula: Optional[str] = None,
+    size_points: Union[None, Path, ArrayLike] = None,
+    background: Union[None, Path, tuple[ArrayLike, ArrayLike, ArrayLike]] = None,
     min_angle: float = 30.0,
     max_turn: float = 90.0,
     measure: str = "q2",
@@ -78,4 +131,7 @@ def mesh(
     timeout: Optional[float] = None,
     check: bool = False,
 ) -> Mesh: ...
+def estimate(source: Any, *, heal: bool = False, **options: Any) -> Estimate: ...
 def info(source: Any, heal: bool = False) -> dict[str, Any]: ...
+def model_of(source: Any, heal: bool = False) -> Model: ...
+def validate(**options: Any) -> None: ...

@@ -1,12 +1,15 @@
 """Mesh solid, Mesh faces, Mesh sketch or planar face: each makes a mesh object and opens its panel."""
+import sys
+
 import FreeCAD
 import FreeCADGui
 
-from ..messages import show_refusal
+import mesher
 
+from ..messages import in_words_of_panel, show_refusal, translated
+from ..tools.meshed_shape import first_size, plane_faces
 
-def _translated(text):
-    return FreeCAD.Qt.translate("Mesher", text)
+_FIRST_CURVATURE = 12  # elements in a full turn
 
 
 def _selected():
@@ -17,6 +20,14 @@ def _selected():
     view = FreeCADGui.ActiveDocument.ActiveView if FreeCADGui.ActiveDocument else None
     body = view.getActiveObject("pdbody") if hasattr(view, "getActiveObject") else None
     return body, [], 1 if body else 0
+
+
+def _add_to_active_analysis(mesh):
+    """As FEM's own meshes do."""
+    gui = sys.modules.get("FemGui")
+    analysis = gui.getActiveAnalysis() if gui else None
+    if analysis is not None and analysis.Document == mesh.Document:
+        analysis.addObject(mesh)
 
 
 class _MeshCommand:
@@ -31,7 +42,6 @@ class _MeshCommand:
         return FreeCAD.ActiveDocument is not None
 
     def Activated(self):
-        document = FreeCAD.ActiveDocument
         obj, faces, count = _selected()
         refusal = self._refusal(obj, count)
         if refusal is None:
@@ -42,41 +52,57 @@ class _MeshCommand:
         from ..factory import make_mesh_object
         from ..taskpanels.task_mesh import TaskMesh
 
-        document.openTransaction(self._resources["MenuText"])
-        FreeCADGui.Control.showDialog(TaskMesh(make_mesh_object(source, dimension=dimension), isNew=True))
+        obj.Document.openTransaction(self._resources["MenuText"])
+        try:
+            mesh = make_mesh_object(source, dimension=dimension, size=first_size(obj.Shape), curvature=_FIRST_CURVATURE)
+            _add_to_active_analysis(mesh)
+            panel = TaskMesh(mesh, isNew=True)
+        except Exception as error:
+            obj.Document.abortTransaction()
+            show_refusal(in_words_of_panel(error))
+            return
+        FreeCADGui.Control.showDialog(panel)
 
     @staticmethod
     def _refusal(obj, count):
-        if obj is None:
-            return _translated("Nothing is selected. Select a solid, faces or a sketch first.")
-        if count > 1:
-            return _translated("Several objects are selected. Select one, or join them first.")
         if FreeCADGui.Control.activeDialog():
-            return _translated("Another task is open. Finish it first.")
+            return translated("Another task is open. Finish it first.")
+        if obj is None:
+            return translated("Nothing is selected. Select a solid, faces or a sketch first.")
+        if count > 1:
+            return translated("Several objects are selected. Select one, or join them first.")
         if obj.isDerivedFrom("Fem::FemMeshObject") or obj.isDerivedFrom("Mesh::Feature"):
-            return _translated("A mesh is selected. Select the shape it was made of.")
+            return translated("A mesh is selected. Select the shape it was made of.")
         if not hasattr(obj, "Shape") or obj.Shape.isNull():
-            return _translated("The selected object has no shape. Recompute the document or select another one.")
+            return translated("The selected object has no shape. Recompute the document or select another one.")
         return None
 
 
 def _choose_solid(obj, faces):
     if not obj.Shape.Solids:
-        return None, None, _translated("The selection has no solid. Its faces can be meshed by Mesh faces.")
+        return None, None, translated("The selection has no solid. Its faces can be meshed by Mesh faces.")
     return obj, 3, None
 
 
 def _choose_faces(obj, faces):
     if not obj.Shape.Faces:
-        return None, None, _translated("The selection has no face.")
+        return None, None, translated("The selection has no face.")
     return ((obj, faces) if faces else obj), 2, None
 
 
 def _choose_plane(obj, faces):
     if faces:
+        curved = [name for name in faces if obj.Shape.getElement(name).findPlane() is None]
+        if curved:
+            return None, None, translated("{face} is curved. Use Mesh faces.").format(face=curved[0])
         return (obj, faces), 2, None
-    if not obj.Shape.Wires:
-        return None, None, _translated("The selection has no closed wire. Close the sketch.")
+    if obj.Shape.Solids:
+        return None, None, translated("A solid is selected. Select one of its plane faces, or use Mesh faces.")
+    if not obj.Shape.Faces:
+        try:
+            plane_faces(obj)
+        except mesher.ModelError as error:
+            return None, None, in_words_of_panel(error)
     return obj, 2, None
 
 

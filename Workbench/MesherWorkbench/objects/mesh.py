@@ -17,6 +17,7 @@ _PROPERTIES = (
     ("App::PropertyFloat", "Grading", "FEM Mesh", "G: sizes grow by at most distance / G", 1.0),
     ("App::PropertyBool", "OptimizeStd", "FEM Mesh", "Improve the mesh after it is refined", True),
     ("App::PropertyInteger", "Threads", "FEM Mesh", "Threads to use; the mesh does not depend on them", 1),
+    ("App::PropertyMap", "LocalSizes", "FEM Mesh", "Sizes of faces, edges and vertices: Face6 is 0.5 mm", None),
     ("App::PropertyLinkList", "MeshRegionList", "FEM Mesh", "Regions with sizes of their own", None),
     ("App::PropertyString", "Report", "Result", "What the last run did, as JSON", ""),
     ("App::PropertyInteger", "NodeCount", "Result", "Nodes of the mesh", 0),

@@ -1,6 +1,6 @@
-"""The panel of a mesh object: sizes, Mesh, Cancel, progress. The widgets are those of the module mesher_gui; meshing is in a
-thread, which talks to the panel through plain values that a timer reads, so that neither waits for the other."""
-import threading
+"""The panel of a mesh object: sizes, an estimate, Mesh and Stop, progress, result. The widgets are those of the module
+mesher_gui; meshing and estimating are in threads, whose state a timer reads, so that neither waits for the other."""
+import time
 
 import FreeCAD
 import FreeCADGui
@@ -9,8 +9,13 @@ from PySide import QtCore, QtGui
 import mesher
 import mesher_gui
 
-from ..messages import show_refusal
+from .. import resources
+from ..messages import in_words_of_panel, show_refusal, translated
+from ..tools.background_task import BackgroundTask
 from ..tools.mesh_tool import MeshTool
+from ..tools.meshed_shape import first_size
+from ..viewproviders.view_mesh import show_mesh_instead_of_part, show_part_instead_of_mesh
+from . import texts
 
 try:
     from shiboken2 import wrapInstance
@@ -18,109 +23,228 @@ except ImportError:
     from shiboken6 import wrapInstance
 
 _POLL_MILLISECONDS = 50
-_LENGTHS = (("size", "CharacteristicLengthMax"), ("minSize", "CharacteristicLengthMin"))
+_PAUSE_BEFORE_ESTIMATE = 300  # milliseconds, in which more may be typed
+_PATIENCE_AFTER_STOP = 0.5  # seconds
+_LENGTHS = (("size", "CharacteristicLengthMax"), ("minSize", "CharacteristicLengthMin"), ("sag", "SurfaceDeviation"))
+_NUMBERS = (("curvature", "MeshSizeFromCurvature"), ("improve", "OptimizeStd"))
+_LOCAL_KINDS = ("Face", "Edge", "Vertex")
 
 
 class TaskMesh:
     def __init__(self, obj, isNew=False):
         self._obj = obj
+        self._document = obj.Document
         self._is_new = isNew
-        self._thread = None
-        self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(self._poll)
+        self._tool = None
+        self._task = None
+        self._estimate = None
+        self._stopped_at = None
+        self._poller = QtCore.QTimer()
+        self._poller.timeout.connect(self._poll)
+        self._estimator = QtCore.QTimer()
+        self._estimator.setSingleShot(True)
+        self._estimator.timeout.connect(self._start_estimate)
         self.form = wrapInstance(mesher_gui.create_mesh_panel(), QtGui.QWidget)
         self.form.setWindowTitle(obj.Label)
-        for name, property_name in _LENGTHS:
-            self.form.setProperty(name, getattr(obj, property_name).Value)
-        self.form.setProperty("curvature", obj.MeshSizeFromCurvature)
-        QtCore.QObject.connect(self.form, QtCore.SIGNAL("meshRequested()"), self._start)
-        QtCore.QObject.connect(self.form, QtCore.SIGNAL("cancelRequested()"), self._cancel)
+        self.form.setWindowIcon(QtGui.QIcon(resources.icon("MesherMeshSolid")))
+        self._show_options()
+        self._show_result()
+        for signal, slot in (("meshRequested()", self._start), ("cancelRequested()", self._cancel),
+                             ("optionsChanged()", self._on_options_changed), ("selectionWanted()", self._add_selected)):
+            QtCore.QObject.connect(self.form, QtCore.SIGNAL(signal), slot)
+        QtGui.QApplication.instance().aboutToQuit.connect(self._cancel)
+        self._start_estimate()
 
     # what FreeCAD asks of a task panel
     def getStandardButtons(self):
         return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
-        if self._thread is not None:
+        if self._task is not None:
             return False
         self._take_over()
         self._close()
-        FreeCAD.ActiveDocument.commitTransaction()
+        self._document.commitTransaction()
         return True
 
     def reject(self):
-        if self._thread is not None:
-            self._cancel()
-            self._thread.join()
-            self._thread = None
-            self._timer.stop()
+        self._cancel()
+        self._task = None
+        if self._is_new and self._is_alive():
+            show_part_instead_of_mesh(self._obj)
         self._close()
-        if self._is_new:
-            FreeCAD.ActiveDocument.abortTransaction()
+        self._document.abortTransaction()
         return True
 
     def _close(self):
-        FreeCADGui.ActiveDocument.resetEdit()
+        self._poller.stop()
+        self._estimator.stop()
+        QtGui.QApplication.instance().aboutToQuit.disconnect(self._cancel)
+        view = FreeCADGui.getDocument(self._document.Name)
+        if view is not None:
+            view.resetEdit()
         FreeCADGui.Control.closeDialog()
+
+    # between form and object
+    def _is_alive(self):
+        """Whether the object still is in its document."""
+        try:
+            return self._document.getObject(self._obj.Name) is not None
+        except ReferenceError:
+            return False
+
+    def _show_options(self):
+        for name, property_name in _LENGTHS:
+            self.form.setProperty(name, getattr(self._obj, property_name).Value)
+        for name, property_name in _NUMBERS:
+            self.form.setProperty(name, getattr(self._obj, property_name))
+        self.form.setProperty("localSizes", {name: FreeCAD.Units.Quantity(length).Value
+                                             for name, length in self._obj.LocalSizes.items()})
 
     def _take_over(self):
         """The form's values into the object."""
-        for name, property_name in _LENGTHS:
-            setattr(self._obj, property_name, self.form.property(name))
-        self._obj.MeshSizeFromCurvature = self.form.property("curvature")
+        if not self._is_alive():
+            return
+        for name, property_name in _LENGTHS + _NUMBERS:
+            value = self.form.property(name)
+            shown = getattr(self._obj, property_name)
+            if getattr(shown, "Value", shown) != value:
+                setattr(self._obj, property_name, value)
+        self._obj.LocalSizes = {name: f"{size!r} mm" for name, size in self.form.property("localSizes").items()}
+
+    def _show_result(self):
+        self.form.setProperty("summary", texts.summary_of(self._obj))
+        self.form.setProperty("histogram", texts.histogram_of(self._obj))
+
+    def _add_selected(self):
+        names = [name for selected in FreeCADGui.Selection.getSelectionEx()
+                 if self._is_alive() and selected.Object == self._obj.Part
+                 for name in selected.SubElementNames if name.startswith(_LOCAL_KINDS)]
+        if not names:
+            show_refusal(translated("No face, edge or vertex of the meshed part is selected. "
+                                          "Select some in the view first."))
+            return
+        first = 0.5 * (self.form.property("size") or first_size(self._obj.Part.Shape))
+        sizes = self.form.property("localSizes")
+        self.form.setProperty("localSizes", {**dict.fromkeys(names, first), **sizes})
+        self._on_options_changed()
+
+    # the estimate
+    def _on_options_changed(self):
+        self._estimator.start(_PAUSE_BEFORE_ESTIMATE)
+
+    def _start_estimate(self):
+        if self._estimate is not None and self._estimate.is_running:
+            self._estimator.start(_PAUSE_BEFORE_ESTIMATE)
+            return
+        if self._task is not None:
+            return
+        try:
+            self._take_over()
+            tool = MeshTool(self._obj)
+        except Exception as error:
+            self.form.setProperty("estimate", in_words_of_panel(error))
+            return
+        self._is_volume = tool.is_volume
+        self._estimate = BackgroundTask(lambda progress: tool.estimate())
+        self._poller.start(_POLL_MILLISECONDS)
+
+    def _finish_estimate(self):
+        task, self._estimate = self._estimate, None
+        if task.error is None:
+            self.form.setProperty("estimate", texts.estimate_text(task.result, self._is_volume))
+        else:
+            # A mesh may be possible all the same: curved faces, for one, have no estimate.
+            is_option = isinstance(task.error, mesher.OptionError)
+            self.form.setProperty("estimate", in_words_of_panel(task.error) if is_option else "")
 
     # the run
     def _start(self):
-        if self._thread is not None:
+        if self._task is not None:
             return
-        self._take_over()
         try:
+            if not self._is_alive():
+                raise ValueError(translated("The mesh object was deleted. Close this panel."))
+            self._take_over()
             self._tool = MeshTool(self._obj)
         except Exception as error:
-            self._finish(str(error))
-            show_refusal(str(error))
+            self._finish(in_words_of_panel(error))
+            show_refusal(in_words_of_panel(error))
             return
-        self._is_cancelled = False
-        self._progress = ("", 0.0)
-        self._mesh = None
-        self._error = None
+        self._stopped_at = None
+        self._started_at = time.monotonic()
+        self.form.setProperty("summary", "")
         self.form.setProperty("running", True)
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
-        self._timer.start(_POLL_MILLISECONDS)
-
-    def _run(self):
-        try:
-            self._mesh = self._tool.run(self._on_progress)
-        except Exception as error:  # told by the main thread
-            self._error = error
-
-    def _on_progress(self, stage, fraction):
-        self._progress = (stage, fraction)
-        return not self._is_cancelled
+        self._task = BackgroundTask(self._tool.run)
+        self._poller.start(_POLL_MILLISECONDS)
 
     def _cancel(self):
-        self._is_cancelled = True
+        if self._task is None:
+            return
+        self._task.cancel()
+        self._stopped_at = time.monotonic()
+        self.form.setProperty("stage", translated("stopping"))
 
     def _poll(self):
-        if self._thread.is_alive():
-            stage, fraction = self._progress
-            self.form.setProperty("stage", stage)
+        if self._estimate is not None and not self._estimate.is_running:
+            self._finish_estimate()
+        if self._task is not None:
+            self._poll_run()
+        if self._estimate is None and self._task is None:
+            self._poller.stop()
+
+    def _poll_run(self):
+        task = self._task
+        if task.is_cancelled:
+            # Between two words of progress of a large mesh may be seconds; nobody has to watch them.
+            if not task.is_running or time.monotonic() - self._stopped_at > _PATIENCE_AFTER_STOP:
+                self._task = None
+                self._finish(translated("cancelled"))
+            return
+        if task.is_running:
+            stage, fraction = task.progress
+            self.form.setProperty("stage", texts.stage_text(stage, time.monotonic() - self._started_at))
             self.form.setProperty("fraction", fraction)
             return
-        self._thread.join()
-        self._thread = None
-        self._timer.stop()
-        if self._error is None:
-            self._tool.fill_in(self._mesh)
-            self._finish(f"{self._obj.ElementCount} elements, {self._obj.NodeCount} nodes, angles "
-                         f"{self._obj.SmallestAngle:.1f} to {self._obj.LargestAngle:.1f} degrees")
-        elif isinstance(self._error, mesher.Cancelled):
-            self._finish("cancelled")
+        self._task = None
+        if task.error is None:
+            self._take_in(task.result)
         else:
-            self._finish(str(self._error))
-            show_refusal(str(self._error))
+            self._tell(task.error)
+
+    def _take_in(self, mesh):
+        if not self._is_alive():
+            self._finish(translated("The mesh object was deleted."))
+            return
+        self._fill_in(mesh)
+        self._finish(texts.done_text(time.monotonic() - self._started_at))
+        self._show_result()
+        show_mesh_instead_of_part(self._obj)
+
+    def _fill_in(self, mesh):
+        """FreeCAD takes seconds for a million elements, in which its window rests."""
+        self.form.setProperty("stage", texts.handing_over_text())
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
+            self._tool.fill_in(mesh)
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
+
+    def _tell(self, error):
+        """What went wrong, with the entities it is about selected, and what there is of the mesh."""
+        partial = getattr(error, "mesh", None)
+        if partial is not None and len(partial.nodes):
+            self._take_in(partial)
+        self._finish(in_words_of_panel(error))
+        FreeCADGui.Selection.clearSelection()
+        for failure in getattr(error, "failures", ()):
+            name = self._tool.name_in_part(failure["entity"])
+            if name.startswith(_LOCAL_KINDS) and self._is_alive():
+                FreeCADGui.Selection.addSelection(self._document.Name, self._obj.Part.Name, name)
+        show_refusal(in_words_of_panel(error))
 
     def _finish(self, text):
         self.form.setProperty("running", False)
         self.form.setProperty("stage", text)
+        self._on_options_changed()

@@ -61,6 +61,21 @@ TEST(MeshCheck, FindsDuplicateAndOrphanNodes)
     EXPECT_EQ(report.orphanNodes, 1u);
 }
 
+TEST(MeshCheck, PartsThatTouchHaveNodesOfTheirOwn)
+{
+    ClassifiedMesh mesh = test::twoFaceMesh();
+    const auto count = static_cast<std::uint32_t>(mesh.nodes.size());
+    const ClassifiedMesh once = mesh;
+    for (const MeshNode& node : once.nodes) mesh.nodes.push_back(node);
+    for (MeshElement<3> triangle : once.triangles) {
+        for (NodeId& node : triangle.node) node = NodeId(node.value + count);
+        mesh.triangles.push_back(triangle);
+    }
+    EXPECT_EQ(checkMesh(mesh).duplicateNodes, 0u);
+    mesh.triangles.push_back({{NodeId(0), NodeId(1), NodeId(count + 2)}, {2, 0}});
+    EXPECT_EQ(checkMesh(mesh).duplicateNodes, count);
+}
+
 TEST(MeshCheck, FindsDuplicateElements)
 {
     ClassifiedMesh mesh = test::twoFaceMesh();

@@ -1,7 +1,6 @@
-#include "cli/size_files.h"
+#include "io/read_size_fields.h"
 
 #include "io/mesh_reader.h"
-#include "io/read_size_points.h"
 #include "sizing/attractor_size.h"
 #include "sizing/background_size.h"
 #include "sizing/combined_size.h"
@@ -11,10 +10,7 @@
 
 namespace mesher {
 
-namespace {
-
-/// A mesh with one number at each node: the size.
-Result<std::shared_ptr<const SizingField>> readBackground(const std::string& path)
+Result<std::shared_ptr<const SizingField>> readBackgroundField(const std::string& path)
 {
     Result<MeshFile> file = readMesh(path);
     if (!file) return file.error();
@@ -42,33 +38,28 @@ Result<std::shared_ptr<const SizingField>> readBackground(const std::string& pat
     return error;
 }
 
-Result<std::shared_ptr<const SizingField>> readPoints(const std::string& path, double grading)
+std::shared_ptr<const SizingField> fieldOfPoints(const std::vector<SizePoint>& points, double grading)
 {
-    const Result<std::vector<SizePoint>> points = readSizePoints(path);
-    if (!points) return points.error();
     std::vector<Attractor> attractors;
-    for (const SizePoint& point : points.value())
-        attractors.push_back({point.position, point.position, point.size});
+    for (const SizePoint& point : points) attractors.push_back({point.position, point.position, point.size});
     DistanceProfile profile;
     profile.growth = 1.0 / grading;
-    return std::shared_ptr<const SizingField>(
-        std::make_shared<AttractorSize>(std::move(attractors), profile));
+    return std::make_shared<AttractorSize>(std::move(attractors), profile);
 }
 
-}  // namespace
-
-Result<std::shared_ptr<const SizingField>> readSizeFiles(const MeshOptions& options)
+Result<std::shared_ptr<const SizingField>> readSizeFields(const std::string& background,
+                                                          const std::string& points, double grading)
 {
     std::vector<std::shared_ptr<const SizingField>> fields;
-    if (!options.background.empty()) {
-        Result<std::shared_ptr<const SizingField>> field = readBackground(options.background);
+    if (!background.empty()) {
+        Result<std::shared_ptr<const SizingField>> field = readBackgroundField(background);
         if (!field) return field.error();
         fields.push_back(std::move(field).value());
     }
-    if (!options.sizePoints.empty()) {
-        Result<std::shared_ptr<const SizingField>> field = readPoints(options.sizePoints, options.grading);
-        if (!field) return field.error();
-        fields.push_back(std::move(field).value());
+    if (!points.empty()) {
+        const Result<std::vector<SizePoint>> read = readSizePoints(points);
+        if (!read) return read.error();
+        fields.push_back(fieldOfPoints(read.value(), grading));
     }
     if (fields.empty()) return std::shared_ptr<const SizingField>();
     return std::shared_ptr<const SizingField>(std::make_shared<CombinedSize>(std::move(fields)));

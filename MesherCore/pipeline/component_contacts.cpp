@@ -1,0 +1,112 @@
+#include "pipeline/component_contacts.h"
+
+#include "pipeline/component_surface.h"
+#include "pipeline/report_steps.h"
+#include "pipeline/solid_contacts.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesher {
+
+namespace {
+
+/// Of the smaller group's extent: what CAD programs leave between parts that are meant to touch.
+constexpr double kContactShare = 1e-6;
+
+double largestTolerance(const BrepModel& model)
+{
+    double largest = 0.0;
+    for (const BrepFace& face : model.faces) largest = std::max(largest, face.tolerance);
+    return largest;
+}
+
+double toleranceBetween(const ComponentSurface& a, const ComponentSurface& b)
+{
+    const double size = std::min(length(a.box().extent()), length(b.box().extent()));
+    return std::max(kContactShare * size, largestTolerance(a.model()) + largestTolerance(b.model()));
+}
+
+std::string namesOf(const SampledComponent& a, const SampledComponent& b, const SolidContact& contact)
+{
+    const EntityRef first = a.component->inWhole(EntityRef{3, contact.first.value});
+    const EntityRef second = b.component->inWhole(EntityRef{3, contact.second.value});
+    return nameOf(std::min(first, second)) + " and " + nameOf(std::max(first, second));
+}
+
+void tell(const SolidContact& contact, const std::string& names, MeshReport& report)
+{
+    if (contact.isOverlap) {
+        fail(report, {ErrorCode::IntersectingConstraints, "the solids overlap", names, contact.place,
+                      "cut one from the other or fuse them in the CAD program"});
+        return;
+    }
+    const Error touch = {ErrorCode::InvalidArgument,
+                         "the solids touch without a common face, so their meshes do not fit together there",
+                         names, contact.place, "make them share it, by boolean fragments for one"};
+    std::string clause = describe(touch);
+    clause.pop_back();
+    report.warnings.push_back(std::move(clause));
+}
+
+/// The surface of each group, made where another group is near.
+class Surfaces
+{
+public:
+    explicit Surfaces(std::span<const SampledComponent> components)
+        : components_(components), surfaces_(components.size())
+    {
+        for (const SampledComponent& c : components) {
+            Box3 box;
+            for (const MeshNode& node : c.mesh->nodes) box.include(node.position);
+            boxes_.push_back(box);
+        }
+    }
+
+    [[nodiscard]] bool areNear(std::size_t i, std::size_t j) const
+    {
+        // Facets may be inside of their faces by a part of the smaller group.
+        const double size = std::min(length(boxes_[i].extent()), length(boxes_[j].extent()));
+        const Vec3 margin{0.25 * size, 0.25 * size, 0.25 * size};
+        const Box3 box{boxes_[i].low - margin, boxes_[i].high + margin};
+        const Box3& that = boxes_[j];
+        return box.low.x <= that.high.x && that.low.x <= box.high.x && box.low.y <= that.high.y &&
+               that.low.y <= box.high.y && box.low.z <= that.high.z && that.low.z <= box.high.z;
+    }
+
+    [[nodiscard]] const ComponentSurface& at(std::size_t i)
+    {
+        const SampledComponent& c = components_[i];
+        if (!surfaces_[i]) surfaces_[i].emplace(c.component->model, *c.mesh, *c.sides);
+        return *surfaces_[i];
+    }
+
+private:
+    std::span<const SampledComponent> components_;
+    std::vector<Box3> boxes_;
+    std::vector<std::optional<ComponentSurface>> surfaces_;
+};
+
+}  // namespace
+
+bool tellContacts(std::span<const SampledComponent> components, MeshReport& report)
+{
+    Surfaces surfaces(components);
+    bool isFree = true;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        for (std::size_t j = i + 1; j < components.size(); ++j) {
+            if (!surfaces.areNear(i, j)) continue;
+            const ComponentSurface& a = surfaces.at(i);
+            const ComponentSurface& b = surfaces.at(j);
+            const std::optional<SolidContact> contact = findContact(a, b, toleranceBetween(a, b));
+            if (!contact) continue;
+            isFree = isFree && !contact->isOverlap;
+            tell(*contact, namesOf(components[i], components[j], *contact), report);
+        }
+    }
+    return isFree;
+}
+
+}  // namespace mesher

@@ -1,0 +1,295 @@
+#include "pipeline/component_surface.h"
+
+#include "base/indexed_map.h"
+#include "sizing/distances.h"
+#include "surface_sampling/triangle_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace mesher {
+
+namespace {
+
+/// Facets depart from their face by at most this many times what their middle does.
+constexpr double kCutOff = 3.0;
+/// The cosine between a face's normal and the way to a place that is above the face.
+constexpr double kAbove = 0.9;
+
+std::vector<FacetId> livingFacets(const SurfaceMesh& mesh)
+{
+    std::vector<FacetId> facets;
+    for (std::uint32_t i = 0; i < mesh.facets.size(); ++i) {
+        if (mesh.facets[FacetId(i)].isAlive()) facets.push_back(FacetId(i));
+    }
+    return facets;
+}
+
+std::uint64_t keyOf(NodeId a, NodeId b)
+{
+    return std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
+}
+
+std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, FacetId facet)
+{
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.nodes[mesh.facets[facet].node[i]].position;
+    return corners;
+}
+
+/// How far the middle of each segment is from its curve, by the nodes of the segment.
+IndexedMap<std::uint64_t, double> departuresOf(const BrepModel& model, const SurfaceMesh& mesh)
+{
+    IndexedMap<std::uint64_t, double> departures;
+    for (const SurfaceSegment& segment : mesh.segments) {
+        if (!segment.isAlive() || model.edges[segment.edge].isDegenerate) continue;
+        const auto& [a, b] = segment.node;
+        const Vec3 chord = 0.5 * (mesh.nodes[a].position + mesh.nodes[b].position);
+        const auto& [from, to] = segment.parameter;
+        const Vec3 curve = model.edges[segment.edge].curve->position(0.5 * (from + to));
+        departures.insert(keyOf(a, b), length(chord - curve));
+    }
+    return departures;
+}
+
+/// From what the middle of each facet departs from its face, and the middle of its segments from their curves: there faces go
+/// on beyond their facets.
+IdVector<FacetId, double> sagsOf(const BrepModel& model, const SurfaceMesh& mesh)
+{
+    const IndexedMap<std::uint64_t, double> departures = departuresOf(model, mesh);
+    IdVector<FacetId, double> sags(mesh.facets.size());
+    for (const FacetId facet : livingFacets(mesh)) {
+        const std::array<Vec3, 3> corner = cornersOf(mesh, facet);
+        const auto& [face, node, uv] =
+            std::tie(mesh.facets[facet].face, mesh.facets[facet].node, mesh.facets[facet].parameters);
+        const Vec3 middle = (1.0 / 3.0) * (corner[0] + corner[1] + corner[2]);
+        const Vec2 parameters = (1.0 / 3.0) * (uv[0] + uv[1] + uv[2]);
+        double departure = model.faces[face].surface->project(middle, parameters).distance;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double* known = departures.find(keyOf(node[i], node[(i + 1) % 3]));
+            if (known != nullptr) departure = std::max(departure, *known);
+        }
+        sags[facet] = kCutOff * departure;
+    }
+    return sags;
+}
+
+/// Of the facets, grown by their sags where there are some.
+std::vector<Box3> boxesOf(const SurfaceMesh& mesh, const std::vector<FacetId>& facets,
+                          const IdVector<FacetId, double>* sags)
+{
+    std::vector<Box3> boxes;
+    boxes.reserve(facets.size());
+    for (const FacetId facet : facets) {
+        Box3 box;
+        for (const Vec3& corner : cornersOf(mesh, facet)) box.include(corner);
+        const double sag = sags == nullptr ? 0.0 : (*sags)[facet];
+        box.low = box.low - Vec3{sag, sag, sag};
+        box.high = box.high + Vec3{sag, sag, sag};
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+/// Barycentric coordinates of the point of a triangle that is closest to a place.
+std::array<double, 3> closestWeights(const Vec3& place, const std::array<Vec3, 3>& corner)
+{
+    const auto& [a, b, c] = corner;
+    const Vec3 normal = cross(b - a, c - a);
+    const double square = squaredLength(normal);
+    if (square > 0.0) {
+        const double wb = dot(cross(place - a, c - a), normal) / square;
+        const double wc = dot(cross(b - a, place - a), normal) / square;
+        if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0) return {1.0 - wb - wc, wb, wc};
+    }
+    std::array<double, 3> best = {1.0, 0.0, 0.0};
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const double share = closestShare(place, corner[i], corner[j]);
+        const double distance = squaredLength(place - ((1.0 - share) * corner[i] + share * corner[j]));
+        if (distance >= least) continue;
+        least = distance;
+        best = {0.0, 0.0, 0.0};
+        best[i] = 1.0 - share;
+        best[j] = share;
+    }
+    return best;
+}
+
+/// Whether the segment from a to b may meet the box.
+bool mayMeet(const Vec3& a, const Vec3& b, const Box3& box)
+{
+    return std::max(a.x, b.x) >= box.low.x && std::min(a.x, b.x) <= box.high.x &&
+           std::max(a.y, b.y) >= box.low.y && std::min(a.y, b.y) <= box.high.y &&
+           std::max(a.z, b.z) >= box.low.z && std::min(a.z, b.z) <= box.high.z;
+}
+
+/// The share of the way from a to b at which the plane of the triangle is crossed.
+double shareAtPlane(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& corner)
+{
+    const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const double before = dot(a - corner[0], normal), after = dot(b - corner[0], normal);
+    return before == after ? 0.5 : std::clamp(before / (before - after), 0.0, 1.0);
+}
+
+}  // namespace
+
+ComponentSurface::ComponentSurface(const BrepModel& model, const SurfaceMesh& mesh, const RegionSides& sides)
+    : model_(model),
+      mesh_(mesh),
+      sides_(sides),
+      sag_(sagsOf(model, mesh)),
+      facets_(livingFacets(mesh)),
+      tree_(boxesOf(mesh, facets_, nullptr)),
+      faceTree_(boxesOf(mesh, facets_, &sag_))
+{
+    for (const MeshNode& node : mesh.nodes) box_.include(node.position);
+}
+
+ComponentSurface::Nearest ComponentSurface::nearest(const Vec3& place) const
+{
+    Nearest best;
+    double least = std::numeric_limits<double>::infinity(), steepest = -1.0;
+    const auto look = [&](std::uint32_t item) {
+        // Facets that meet at an edge or corner are equally near: the one that is seen most from above tells the side.
+        constexpr double kSame = 1e-9;
+        const Nearest foot = footOn(facets_[tree_.order()[item]], place);
+        const std::array<Vec3, 3> corner = cornersOf(mesh_, foot.facet);
+        const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+        const double size = length(normal);
+        const double steepness = size > 0.0 ? std::abs(dot(normal, place - foot.place)) / size : 0.0;
+        const bool isNearer = foot.distance < least * (1.0 - kSame);
+        if (isNearer || (foot.distance <= least * (1.0 + kSame) && steepness > steepest)) {
+            best = foot;
+            least = std::min(least, foot.distance);
+            steepest = steepness;
+        }
+        return least * least * (1.0 + 4.0 * kSame);
+    };
+    const auto bound = [&](std::uint32_t node) { return squaredDistance(place, tree_.nodes()[node].box); };
+    tree_.searchSmallest(bound, look, std::numeric_limits<double>::infinity());
+    return best;
+}
+
+ComponentSurface::Nearest ComponentSurface::footOn(FacetId facet, const Vec3& place) const
+{
+    const std::array<Vec3, 3> corner = cornersOf(mesh_, facet);
+    const std::array<double, 3> w = closestWeights(place, corner);
+    const Vec3 foot = w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2];
+    const auto& uv = mesh_.facets[facet].parameters;
+    return {facet, length(place - foot), foot, w[0] * uv[0] + w[1] * uv[1] + w[2] * uv[2]};
+}
+
+std::vector<ComponentSurface::Nearest> ComponentSurface::facesAbout(const Vec3& place, double tolerance,
+                                                                    const Nearest& nearestFacet) const
+{
+    std::vector<Nearest> found = {nearestFacet};
+    std::vector<std::uint32_t> waiting = {0};
+    while (!waiting.empty()) {
+        const std::uint32_t index = waiting.back();
+        waiting.pop_back();
+        const BoxTree::Node& node = faceTree_.nodes()[index];
+        if (squaredDistance(place, node.box) > tolerance * tolerance) continue;
+        if (!node.isLeaf()) {
+            waiting.push_back(index + 1);
+            waiting.push_back(node.second);
+            continue;
+        }
+        for (std::uint32_t i = node.begin; i < node.end; ++i) {
+            const Nearest near = footOn(facets_[faceTree_.order()[i]], place);
+            if (near.distance <= sag_[near.facet] + tolerance) found.push_back(near);
+        }
+    }
+    const auto faceOf = [&](const Nearest& near) { return mesh_.facets[near.facet].face; };
+    std::sort(found.begin(), found.end(), [&](const Nearest& a, const Nearest& b) {
+        return std::tuple(faceOf(a), a.distance, a.facet) < std::tuple(faceOf(b), b.distance, b.facet);
+    });
+    const auto isSameFace = [&](const Nearest& a, const Nearest& b) { return faceOf(a) == faceOf(b); };
+    found.erase(std::unique(found.begin(), found.end(), isSameFace), found.end());
+    return found;
+}
+
+std::optional<SurfaceProjection> ComponentSurface::onFace(FacetId facet, const Vec3& place,
+                                                          Vec2 parameters) const
+{
+    const BrepFace& face = model_.faces[mesh_.facets[facet].face];
+    const SurfaceProjection exact = face.surface->project(place, parameters);
+    if (face.trim && face.trim->classify(exact.parameters) == TrimSide::Outside) return std::nullopt;
+    return exact;
+}
+
+BrepSolidId ComponentSurface::solidAt(BrepFaceId face, bool isInFront) const
+{
+    const RegionId region = sides_[face][isInFront ? 0 : 1];
+    return region.value == 0 ? BrepSolidId() : BrepSolidId(region.value - 1);
+}
+
+ComponentSurface::Position ComponentSurface::positionOf(const Vec3& place, double tolerance) const
+{
+    using Kind = Position::Kind;
+    const Nearest nearestFacet = nearest(place);
+    if (!nearestFacet.facet.isValid()) return {};
+    Position position;
+    const auto decide = [&](BrepFaceId face, bool isInFront) {
+        position.solid = solidAt(face, isInFront);
+        position.kind = position.solid.isValid() ? Kind::Inside : Kind::Outside;
+    };
+    const std::vector<Nearest> about = facesAbout(place, tolerance, nearestFacet);
+    // Beyond what facets cut off, the facets themselves tell the side.
+    if (about.size() == 1 && nearestFacet.distance > sag_[nearestFacet.facet] + tolerance) {
+        const std::array<Vec3, 3> corner = cornersOf(mesh_, nearestFacet.facet);
+        const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+        decide(mesh_.facets[nearestFacet.facet].face, dot(place - nearestFacet.place, normal) > 0.0);
+        position.depth = nearestFacet.distance;
+        return position;
+    }
+    // Nearer, any of their faces may be the one at the place.
+    double least = std::numeric_limits<double>::infinity();
+    for (const Nearest& near : about) {
+        const std::optional<SurfaceProjection> exact = onFace(near.facet, place, near.parameters);
+        if (!exact) continue;
+        const BrepFaceId face = mesh_.facets[near.facet].face;
+        const Vec3 normal = model_.faces[face].surface->evaluate(exact->parameters).normal();
+        const double size = length(normal);
+        if (exact->distance <= tolerance)
+            position.touched.push_back({face, size > 0.0 ? (1.0 / size) * normal : Vec3{}});
+        // Off the rim of a face the face does not tell the side.
+        const double height = std::abs(dot(place - exact->position, normal));
+        if (exact->distance >= least || height < kAbove * exact->distance * size) continue;
+        least = position.depth = exact->distance;
+        decide(face, dot(place - exact->position, normal) > 0.0);
+    }
+    if (position.touched.empty()) return position;
+    const BrepFaceId face = position.touched.front().face;
+    position.solid = solidAt(face, true).isValid() ? solidAt(face, true) : solidAt(face, false);
+    position.kind = Kind::Touching;
+    return position;
+}
+
+std::vector<double> ComponentSurface::crossings(const Vec3& a, const Vec3& b) const
+{
+    std::vector<double> shares;
+    std::vector<std::uint32_t> waiting = {0};
+    while (!waiting.empty() && !tree_.nodes().empty()) {
+        const std::uint32_t index = waiting.back();
+        waiting.pop_back();
+        const BoxTree::Node& node = tree_.nodes()[index];
+        if (!mayMeet(a, b, node.box)) continue;
+        if (!node.isLeaf()) {
+            waiting.push_back(index + 1);
+            waiting.push_back(node.second);
+            continue;
+        }
+        for (std::uint32_t i = node.begin; i < node.end; ++i) {
+            const std::array<Vec3, 3> corner = cornersOf(mesh_, facets_[tree_.order()[i]]);
+            if (doesSegmentMeetTriangle(a, b, corner)) shares.push_back(shareAtPlane(a, b, corner));
+        }
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+}
+
+}  // namespace mesher

@@ -1,0 +1,63 @@
+"""What the panel of a mesh object says."""
+import json
+
+from ..messages import translated
+
+
+def estimate_text(estimate, is_volume):
+    kind = translated("tetrahedra") if is_volume else translated("triangles")
+    return translated("Expected: about {count} {kind}, {memory}, {time}").format(
+        count=_rounded(estimate["elements"]), kind=kind, memory=_memory(estimate["bytes"]), time=_time(estimate["seconds"]))
+
+
+def stage_text(stage, seconds):
+    return f"{stage[:1].upper()}{stage[1:]}, {_time(seconds)}" if stage else translated("beginning")
+
+
+def handing_over_text():
+    return translated("handing the mesh to FreeCAD")
+
+
+def done_text(seconds):
+    return translated("done in {time}").format(time=_time(seconds))
+
+
+def summary_of(obj):
+    """A table of what the mesh object holds; nothing if it holds no mesh."""
+    if not obj.ElementCount:
+        return ""
+    report = json.loads(obj.Report) if obj.Report else {}
+    quality = report.get("quality", {})
+    is_volume = "min_dihedral" in quality
+    rows = [(translated("Tetrahedra") if is_volume else translated("Triangles"), f"{obj.ElementCount:,}"),
+            (translated("Nodes"), f"{obj.NodeCount:,}"),
+            (translated("Dihedral angles") if is_volume else translated("Angles"),
+             f"{obj.SmallestAngle:.1f}° – {obj.LargestAngle:.1f}°")]
+    volume, wanted = report.get("mesh", {}).get("volume"), report.get("model", {}).get("volume")
+    if is_volume and volume and wanted:
+        rows.append((translated("Volume"), translated("{share:.3f} % of the shape's").format(share=100.0 * volume / wanted)))
+    cells = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td align='right'><b>{value}</b></td></tr>" for name, value in rows)
+    return f"<table>{cells}</table>"
+
+
+def histogram_of(obj):
+    quality = (json.loads(obj.Report) if obj.Report else {}).get("quality", {})
+    return quality.get("dihedral_histogram") or quality.get("angle_histogram") or []
+
+
+def _rounded(number):
+    """Two digits; more would promise what an estimate does not hold."""
+    digits = len(str(int(number)))
+    return f"{int(round(number, 2 - digits)) if digits > 2 else int(number):,}"
+
+
+def _memory(size):
+    return f"{size / 1e9:.1f} GB" if size >= 1e9 else f"{max(1, round(size / 1e6)):,} MB"
+
+
+def _time(seconds):
+    if seconds < 0.1:
+        return translated("under 0.1 s")
+    if seconds < 10.0:
+        return f"{seconds:.1f} s"
+    return f"{seconds:.0f} s" if seconds < 120.0 else f"{seconds / 60.0:.0f} min"
