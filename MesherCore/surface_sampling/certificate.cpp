@@ -183,12 +183,12 @@ private:
             const FacePair faces = facesOf(pair);
             if (std::find(reported.begin(), reported.end(), faces) != reported.end()) continue;
             reported.push_back(faces);
+            const bool isOne = faces.first == faces.second;
             result_.errors.push_back(
                 {ErrorCode::IntersectingConstraints,
-                 "the facets of " + nameOf(faces.first) + " and " + nameOf(faces.second) +
-                     " intersect, however small they are made",
-                 nameOf(faces.first), pair.point,
-                 "repair the faces where they touch or cross, or wish for smaller sizes there"});
+                 std::string(isOne ? "its" : "their") + " facets intersect, however small they are made",
+                 isOne ? nameOf(faces.first) : nameOf(faces.first) + " and " + nameOf(faces.second),
+                 pair.point, "repair the faces where they touch or cross, or wish for smaller sizes there"});
         }
     }
 

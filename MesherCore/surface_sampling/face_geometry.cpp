@@ -27,8 +27,7 @@ FaceGeometry::FaceGeometry(const BrepFace& face)
             boundsV_.length() > 0.0 ? boundsV_.length() : 1.0},
       rangeU_(surface_->rangeU()),
       rangeV_(surface_->rangeV()),
-      isPlane_(surface_->planeFrame().has_value()),
-      isInClosedForm_(surface_->kind() <= SurfaceKind::Torus)
+      isPlane_(surface_->planeFrame().has_value())
 {
 }
 

@@ -41,8 +41,6 @@ public:
     [[nodiscard]] Vec2 periods() const { return periods_; }
 
     [[nodiscard]] bool isPlane() const { return isPlane_; }
-    /// Projection needs no seed and has no other answers near it: quadrics and tori.
-    [[nodiscard]] bool isInClosedForm() const { return isInClosedForm_; }
 
     [[nodiscard]] SurfaceFacts at(Vec2 uv) const;
     /// The normal on which the line through the facet's circumcentre, along the facet's normal, meets the surface, found
@@ -78,7 +76,6 @@ private:
     Interval rangeU_;
     Interval rangeV_;
     bool isPlane_ = false;
-    bool isInClosedForm_ = false;
 };
 
 }  // namespace mesher

@@ -14,8 +14,10 @@ namespace {
 
 /// Centres are taken whose surface looks away from the facet by no more than 60 degrees.
 constexpr double kLeastAgreement = 0.5;
-/// How far a projected centre may lie off the perpendicular, in circumradii.
+/// How far a projected centre may lie off the perpendicular, in circumradii or lengths of the edge.
 constexpr double kMostAside = 0.1;
+/// The difference of the halves of an edge, by their sum.
+constexpr double kMostUneven = 0.3;
 
 FacetShape shapeOf(const FaceMesh& mesh, TriangleId t)
 {
@@ -179,6 +181,21 @@ FacetSplitStatus FacetSplitter::evaluateSide(EdgeLink side, StarExtent extent)
     return isOnlyNear ? judgeFacetsOfStar() : status;
 }
 
+/// The foot of the middle of a side. Where the surface turns sharply the nearest point may be no foot but an end of the surface,
+/// or lie near one of the ends: then the point between them.
+SurfaceFacts FacetSplitter::middleOnSurface(const FaceTriangle& record, unsigned i, unsigned k) const
+{
+    const Vec3 &a = mesh_.position(record.v[i]), &b = mesh_.position(record.v[k]);
+    const Vec3 middle = 0.5 * (a + b);
+    const SurfaceFacts foot = geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]));
+    const Vec3 away = foot.position - middle;
+    const Vec3 aside = away - dot(away, foot.normal) * foot.normal;
+    const bool isFoot = squaredLength(aside) <= kMostAside * kMostAside * squaredLength(b - a);
+    const double toA = length(foot.position - a), toB = length(foot.position - b);
+    if (isFoot && std::abs(toA - toB) <= kMostUneven * (toA + toB)) return foot;
+    return geometry_.between(record.uv[i], a, record.uv[k], b);
+}
+
 FacetSplitStatus FacetSplitter::evaluateMiddleOf(EdgeLink side, StarExtent extent)
 {
     const FaceTriangle& record = mesh_.triangle(side.triangle());
@@ -189,10 +206,7 @@ FacetSplitStatus FacetSplitter::evaluateMiddleOf(EdgeLink side, StarExtent exten
     ++counts_.splitEdges;
     const unsigned i = nextCorner(side.edge()), k = previousCorner(side.edge());
     const Vec3 middle = 0.5 * (mesh_.position(record.v[i]) + mesh_.position(record.v[k]));
-    const SurfaceFacts facts = geometry_.isInClosedForm()
-                                   ? geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]))
-                                   : geometry_.between(record.uv[i], mesh_.position(record.v[i]),
-                                                       record.uv[k], mesh_.position(record.v[k]));
+    const SurfaceFacts facts = middleOnSurface(record, i, k);
     if (4.0 * squaredLength(facts.position - middle) >
         squaredLength(mesh_.position(record.v[k]) - mesh_.position(record.v[i]))) {
         return FacetSplitStatus::NotFound;

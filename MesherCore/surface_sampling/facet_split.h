@@ -67,6 +67,7 @@ private:
     [[nodiscard]] EdgeLink nearestSide(TriangleId t, const Vec3& point) const;
     [[nodiscard]] double squaredCurvatureRadius(TriangleId t) const;
     [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);
+    [[nodiscard]] SurfaceFacts middleOnSurface(const FaceTriangle& record, unsigned i, unsigned k) const;
     [[nodiscard]] FacetSplitStatus evaluateMiddleOf(EdgeLink side, StarExtent extent);
     [[nodiscard]] FacetSplitStatus judgeStar();
     [[nodiscard]] FacetSplitStatus judgeFacetsOfStar();
