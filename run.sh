@@ -76,3 +76,5 @@ echo "the Delaunay kernel alone, on random points:"
 build/release/bin/triangulate_points
 echo "the same kernel beside CGAL, on 200,000 points of a cube and of a torus (user CPU seconds):"
 build/release/bin/compare_delaunay --points 200000 --dimension 3 --programs mesher,cgal --repeats 1
+echo
+echo "meshes, reports and pictures are in build/demo; next: ./run.sh --gui for FreeCAD, tools/package.sh for a package to install"

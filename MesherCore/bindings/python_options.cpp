@@ -153,6 +153,7 @@ const std::map<std::string, Setter>& setters()
         {"order", setterOf(&MeshOptions::order)},
         {"threads", setterOf(&MeshOptions::threads)},
         {"max_elements", setterOf(&MeshOptions::maxElements)},
+        {"max_wall_elements", setterOf(&MeshOptions::maxWallElements)},
         {"timeout", setterOf(&MeshOptions::timeout)},
         {"check", setterOf(&MeshOptions::isChecked)},
     };

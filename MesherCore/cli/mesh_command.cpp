@@ -190,6 +190,8 @@ private:
         console_.out << std::fixed << std::setprecision(2) << mesh_->nodes.size() << " nodes, ";
         if (report_.tetQuality) {
             tellElements(mesh_->tets.size(), "tetrahedra, dihedral angles", report_.tetQuality->dihedral);
+            if (const auto& before = report_.anglesBeforeImprovement)
+                console_.out << "before improvement " << before->least << " to " << before->largest << ", ";
         } else if (report_.triangleQuality) {
             tellElements(mesh_->triangles.size(), "triangles, angles", report_.triangleQuality->angle);
         }

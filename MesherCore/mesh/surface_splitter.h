@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/assert.h"
 #include "mesh/surface_mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -44,7 +46,7 @@ struct SurfaceSplitResult
 
 /// Splits curves and facets on the exact geometry for the stages that build volumes, so that these need not know how
 /// surfaces are sampled.
-/// Guarantees   evaluate changes nothing; commit cannot fail; the mesh keeps the guarantees of SurfaceMesh
+/// Guarantees   evaluate changes nothing; commit and swap cannot fail; the mesh keeps the guarantees of SurfaceMesh
 /// Threads      one at a time
 class SurfaceSplitter
 {
@@ -61,6 +63,17 @@ public:
     [[nodiscard]] virtual bool accepts(const SurfaceSplit& split) const = 0;
     /// Makes a split that is Ready, with nothing changed since it was evaluated, or one that is accepted.
     virtual SurfaceSplitResult commit(const SurfaceSplit& split) = 0;
+
+    /// Whether two facets of one face share an edge that is no segment and may become the other diagonal of the two.
+    [[nodiscard]] virtual bool maySwap(FacetId /*first*/, FacetId /*second*/) const { return false; }
+    /// Puts the other diagonal, and two facets with new ids, in the place of two that may be swapped.
+    virtual std::array<FacetId, 2> swap(FacetId first, FacetId second);
 };
+
+inline std::array<FacetId, 2> SurfaceSplitter::swap(FacetId /*first*/, FacetId /*second*/)
+{
+    MESHER_PRECONDITION(false);
+    return {};
+}
 
 }  // namespace mesher

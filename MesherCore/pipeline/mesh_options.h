@@ -49,7 +49,10 @@ struct MeshOptions
     ///@{
     unsigned threads = 1;                    ///< 1 … 1024; the mesh does not depend on it. DEFAULT: 1
     std::uint64_t maxElements = 50'000'000;  ///< 1 … 10^9; the run ends there. DEFAULT: 50 million
-    std::optional<double> timeout;           ///< seconds, > 0. DEFAULT: none
+    /// Tetrahedra that thin walls may take beyond those of the sizes; walls that take more are left with flat ones.
+    /// 0 … 10^9. DEFAULT: 1 million
+    std::uint64_t maxWallElements = 1'000'000;
+    std::optional<double> timeout;  ///< seconds, > 0. DEFAULT: none
     bool isChecked = false;  ///< the mesh is checked as a whole before it is handed out. DEFAULT: false
     ///@}
 };

@@ -53,6 +53,33 @@ Json toJson(const Error& error)
     return json;
 }
 
+Json toJson(const LeftElements& left)
+{
+    return {{"entities", left.entities},
+            {"reason", left.reason},
+            {"count", left.count},
+            {"min_dihedral", left.leastDihedral},
+            {"max_dihedral", left.largestDihedral},
+            {"point", toJson(left.worst)},
+            {"remedy", left.remedy}};
+}
+
+/// The places with the most elements; the others in one entry, so that the report stays short.
+Json toJson(const std::vector<LeftElements>& left)
+{
+    constexpr std::size_t kMostPlaces = 50;
+    Json places = Json::array();
+    std::uint64_t total = 0;
+    std::uint64_t listed = 0;
+    for (const LeftElements& place : left) {
+        total += place.count;
+        if (places.size() >= kMostPlaces) continue;
+        listed += place.count;
+        places.push_back(toJson(place));
+    }
+    return {{"count", total}, {"not_listed", total - listed}, {"places", places}};
+}
+
 /// The sizes that may be given more than once.
 void addWishes(const MeshOptions& options, Json& json)
 {
@@ -102,6 +129,7 @@ Json toJson(const MeshOptions& options)
                  {"order", options.order},
                  {"threads", options.threads},
                  {"max_elements", options.maxElements},
+                 {"max_wall_elements", options.maxWallElements},
                  {"timeout", orNull(options.timeout)},
                  {"check", options.isChecked}};
     addWishes(options, json);
@@ -159,6 +187,7 @@ std::string toJson(const MeshReport& report)
                  {"stop_reason", nameOf(report.stopReason)},
                  {"failures", Json::array()},
                  {"warnings", report.warnings},
+                 {"left", toJson(report.left)},
                  {"counts", objectOf(report.counts)},
                  {"seconds", objectOf(report.seconds)},
                  {"quality", nullptr},
@@ -174,6 +203,10 @@ std::string toJson(const MeshReport& report)
     for (const Error& failure : report.failures) json["failures"].push_back(toJson(failure));
     if (report.tetQuality) {
         json["quality"] = qualityOf(*report.tetQuality, report.options);
+        if (const auto& before = report.anglesBeforeImprovement) {
+            json["quality"]["before_improvement"] = {{"min_dihedral", before->least},
+                                                     {"max_dihedral", before->largest}};
+        }
     } else if (report.triangleQuality) {
         json["quality"] = qualityOf(*report.triangleQuality, report.options);
     }

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/stop_reason.h"
+#include "improvement/improve_mesh.h"
 #include "mesh/classified_mesh.h"
 #include "pipeline/mesh_options.h"
 #include "quality/quality_statistics.h"
@@ -13,6 +14,18 @@
 #include <vector>
 
 namespace mesher {
+
+/// Elements that a run left worse than it was asked for, for one reason at one place.
+struct LeftElements
+{
+    std::string reason;                 ///< a clause without a full stop
+    std::vector<std::string> entities;  ///< of the model: what is to blame
+    std::uint64_t count = 0;
+    double leastDihedral = 180.0;  ///< degrees
+    double largestDihedral = 0.0;
+    Vec3 worst;          ///< where the one with the least dihedral angle is, model units
+    std::string remedy;  ///< a clause without a full stop
+};
 
 /// What a run did, for people and programs.
 struct MeshReport
@@ -28,9 +41,11 @@ struct MeshReport
     StopReason stopReason = StopReason::Done;
     std::vector<Error> failures;
     std::vector<std::string> warnings;
+    std::vector<LeftElements> left;  ///< after refinement, those with the most elements first
     std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< by stage, in its order
     std::vector<std::pair<std::string, double>> seconds;        ///< by stage, in its order
     std::optional<TetQuality> tetQuality;
+    std::optional<DihedralRange> anglesBeforeImprovement;
     std::optional<TriangleQuality> triangleQuality;
     std::optional<double> modelArea;  ///< model units squared
     std::optional<double> modelVolume;

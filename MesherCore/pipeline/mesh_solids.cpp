@@ -6,6 +6,8 @@
 #include "pipeline/classify_solids.h"
 #include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
+#include "pipeline/improve_solids.h"
+#include "pipeline/left_elements.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
@@ -61,8 +63,10 @@ public:
 
     MeshOutcome meshVolumes()
     {
-        if (isSampled_ && tetrahedralizeSample() && refine())
+        if (isSampled_ && tetrahedralizeSample() && refine()) {
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
+            if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
+        }
         return std::move(outcome_);
     }
 
@@ -167,6 +171,7 @@ private:
         refinement.sizing.field = sizes_.get();
         refinement.quality.measure = options_.measure;
         refinement.quality.threshold = options_.threshold;
+        refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
         refinement.limits.maxElements = options_.maxElements;
         refinement.limits.maxTime = timeLeft();
         const Clock::time_point start = Clock::now();
@@ -193,8 +198,48 @@ private:
         add("aborted_insertions", counts.abortedInsertions);
         add("refused_segments", counts.refusedSegments);
         add("refused_facets", counts.refusedFacets);
+        add("delaunay_flips", counts.delaunayFlips);
+        add("delaunay_cavities", counts.delaunayCavities);
+        add("facet_swaps", counts.facetSwaps);
+        add("non_delaunay_faces_left", counts.nonDelaunayFaces);
         add("tets_left", refined.left.size());
         add("tets_left_beside_small_angles", refined.leftForSmallAngles);
+        tellLeftElements(refined, report());
+    }
+
+    void improve()
+    {
+        ImprovementOptions improvement;
+        improvement.maxSag = options_.sag;
+        improvement.limits.maxTime = timeLeft();
+        const Clock::time_point start = Clock::now();
+        const Result<SolidImprovement> improved =
+            improveSolids(*outcome_.mesh, model_, improvement, context_);
+        addSeconds("improvement", start);
+        if (!improved) {
+            failed(improved.error());
+            return;
+        }
+        tellImprovement(improved->improvement);
+        add("frozen_boundaries", improved->isBoundaryFrozen ? 1 : 0);
+        const StopReason reason = improved->improvement.stopReason;
+        tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+    }
+
+    void tellImprovement(const Improvement& improved)
+    {
+        const ImprovementCounts& counts = improved.counts;
+        report().anglesBeforeImprovement = improved.anglesBefore;
+        add("bad_tets_before_improvement", counts.badBefore);
+        add("bad_tets_after_improvement", counts.badAfter);
+        add("edge_removals", counts.edgeRemovals);
+        add("face_removals", counts.faceRemovals);
+        add("boundary_swaps", counts.boundarySwaps);
+        add("contractions", counts.contractions);
+        add("improvement_insertions", counts.insertions);
+        add("inner_moves", counts.innerMoves);
+        add("face_moves", counts.faceMoves);
+        add("edge_moves", counts.edgeMoves);
     }
 
     bool mayGoOn(StopReason reason)
@@ -306,11 +351,22 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
 {
     for (const auto& [name, count] : part.counts) addTo(whole.counts, name, count);
     for (const auto& [name, spent] : part.seconds) addTo(whole.seconds, name, spent);
+    if (const auto& angles = part.anglesBeforeImprovement) {
+        if (!whole.anglesBeforeImprovement) whole.anglesBeforeImprovement = DihedralRange{};
+        DihedralRange& all = *whole.anglesBeforeImprovement;
+        all = {std::min(all.least, angles->least), std::max(all.largest, angles->largest)};
+    }
     for (Error error : part.failures) {
         error.entity = component.inWhole(error.entity);
         error.message = component.inWhole(error.message);
         whole.failures.push_back(std::move(error));
     }
+    for (LeftElements left : part.left) {
+        left.reason = component.inWhole(left.reason);
+        for (std::string& entity : left.entities) entity = component.inWhole(entity);
+        whole.left.push_back(std::move(left));
+    }
+    for (const std::string& warning : part.warnings) whole.warnings.push_back(component.inWhole(warning));
     if (part.status == MeshReport::Status::Cancelled || whole.status == MeshReport::Status::Done)
         whole.status = part.status;
     if (whole.stopReason == StopReason::Done) whole.stopReason = part.stopReason;
@@ -318,6 +374,8 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
 
 void finish(const MeshOptions& options, MeshOutcome& outcome)
 {
+    std::stable_sort(outcome.report.left.begin(), outcome.report.left.end(),
+                     [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     describeMesh(*outcome.mesh, outcome.report);
     if (options.isChecked) checkWhole(*outcome.mesh, outcome.report);

@@ -10,7 +10,7 @@ void BadTetQueue::endSinks()
 
 void BadTetQueue::push(TetId tet)
 {
-    const TetVerdict verdict = state_.criteria.judge(tet);
+    const TetVerdict verdict = state_.judge(tet);
     if (verdict.need == TetNeed::Nothing) return;
     if (isSinkPhase_) {
         if (state_.criteria.isSink(tet)) sinks_.push(tet, state_.mesh.generation(tet), verdict.key);
@@ -51,7 +51,7 @@ std::optional<BadTetQueue::Entry> BadTetQueue::take(TetNeed need)
 {
     return queueFor(need).popCurrent([&](const Entry& e) {
         if (state_.mesh.generation(e.id) != e.generation || !state_.isMeshed(e.id)) return false;
-        const TetVerdict verdict = state_.criteria.judge(e.id);
+        const TetVerdict verdict = state_.judge(e.id);
         return verdict.need == need && verdict.key == e.key;
     });
 }

@@ -88,11 +88,11 @@ bool BoundaryQueue3d::isTooLong(SegmentId segment) const
     return state_.criteria.isTooLong(state_.t.vertexOf[ends[0]], state_.t.vertexOf[ends[1]]);
 }
 
-/// Queues what the tetrahedron's own vertices encroach upon.
 void BoundaryQueue3d::pushEncroachedAt(TetId tet)
 {
     const Triangulation3d& mesh = state_.mesh;
     if (!state_.isMeshed(tet) || (mesh.flags(tet) & tet_flag::kConstraints) == 0) return;
+    if (state_.walls.isInKept(tet)) return;
     for (int face = 0; face < 4; ++face) {
         if (!mesh.isFaceConstrained({tet, face})) continue;
         const auto [a, b, c] = mesh.faceVertices({tet, face});
@@ -130,8 +130,8 @@ void BoundaryQueue3d::serveSegment()
     const VertexId a = state_.t.vertexOf[whole.node[0]];
     const VertexId b = state_.t.vertexOf[whole.node[1]];
     const double span = length(state_.mesh.position(b) - state_.mesh.position(a));
-    const bool isAllowed =
-        (state_.criteria.isTooLong(a, b) || state_.criteria.maySplit(a, b)) && span > 2.0 * floor();
+    const bool maySplit = state_.criteria.maySplit(a, b) && state_.walls.maySplit(std::array{a, b}, span);
+    const bool isAllowed = (state_.criteria.isTooLong(a, b) || maySplit) && span > 2.0 * floor();
     if (isAllowed) {
         const BoundarySplit3d split = splitter_.splitSegment(segment);
         if (split.outcome == SplitOutcome3d::Split) {
@@ -150,8 +150,11 @@ void BoundaryQueue3d::serveFacet()
     if (!state_.splitter.mesh().facets[facet].isAlive() || isRefused(refusedFacets_, facet.value)) return;
     const auto corners = state_.cornersOf(facet);
     const std::optional<ProtectingBall> ball = ballOf(facet);
-    const bool isAllowed = ball &&
-                           (state_.criteria.isTooLarge(corners) || state_.criteria.maySplit(corners)) &&
+    const auto maySplit = [&] {
+        return state_.criteria.maySplit(corners) &&
+               state_.walls.maySplit(corners, 2.0 * std::sqrt(ball->squaredRadius));
+    };
+    const bool isAllowed = ball && (state_.criteria.isTooLarge(corners) || maySplit()) &&
                            ball->squaredRadius > floor() * floor();
     if (isAllowed && trySplit(facet)) return;
     refuse(refusedFacets_, facet.value);
@@ -227,6 +230,7 @@ void BoundaryQueue3d::finishSplit(const BoundarySplit3d& split)
 {
     const VertexId v = split.vertex;
     const bool isLow = state_.scale.assign(v, state_.t.delaunay->neighboursOfCommitted(), ceilingAt(split));
+    state_.walls.assign(v, split.surround);
     const SurfaceSplitResult& made = splitter_.made();
     for (const SegmentId half : made.halves) {
         if (half.isValid() && isTooLong(half)) pushSegment(half);
@@ -234,12 +238,20 @@ void BoundaryQueue3d::finishSplit(const BoundarySplit3d& split)
     for (const FacetId facet : made.added) {
         if (state_.criteria.isTooLarge(state_.cornersOf(facet))) pushFacet(facet);
     }
-    for (const TetId tet : splitter_.created()) {
+    // The cavity need not be that of the Delaunay property alone: its surface had to keep, and to give way, as the facets do.
+    const std::vector<TetId>& flipped = state_.flipAround(splitter_.created());
+    pushNew(splitter_.created());
+    pushNew(flipped);
+    if (isLow) badTets_.gradeAround(v);
+}
+
+void BoundaryQueue3d::pushNew(std::span<const TetId> created)
+{
+    for (const TetId tet : created) {
         if (!state_.isMeshed(tet)) continue;
         pushEncroachedAt(tet);
         badTets_.push(tet);
     }
-    if (isLow) badTets_.gradeAround(v);
 }
 
 /// Mean of the scales of the vertices around, weighted by the inverse of their distance (thesis section 4.4). Between

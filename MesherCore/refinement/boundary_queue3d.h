@@ -27,6 +27,8 @@ public:
     bool pushSegment(SegmentId segment);
     bool pushFacet(FacetId facet);
     bool pushFacetAt(TetFace face);
+    /// What the vertices of a tetrahedron encroach upon.
+    void pushEncroachedAt(TetId tet);
 
     [[nodiscard]] bool isEmpty() const { return segments_.empty() && facets_.empty(); }
     [[nodiscard]] std::size_t size() const { return segments_.size() + facets_.size(); }
@@ -39,12 +41,12 @@ private:
     [[nodiscard]] std::optional<ProtectingBall> ballOf(FacetId facet) const;
     [[nodiscard]] bool isTooLong(SegmentId segment) const;
     [[nodiscard]] double floor() const { return state_.options.floor * state_.t.scale; }
-    void pushEncroachedAt(TetId tet);
     void serveSegment();
     void serveFacet();
     bool trySplit(FacetId facet);
     bool splitLongestSide(FacetId facet);
     [[nodiscard]] FacetId facetBehind(FacetId facet, VertexId from, VertexId to);
+    void pushNew(std::span<const TetId> created);
     void finishSplit(const BoundarySplit3d& split);
     [[nodiscard]] double ceilingAt(const BoundarySplit3d& split) const;
 

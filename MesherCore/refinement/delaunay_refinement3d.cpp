@@ -2,6 +2,7 @@
 
 #include "refinement/bad_tet_queue.h"
 #include "refinement/boundary_queue3d.h"
+#include "refinement/facet_swap3d.h"
 #include "refinement/insert_circumcentre.h"
 #include "refinement/left_tets3d.h"
 #include "refinement/refinement_check.h"
@@ -19,10 +20,11 @@ class Refiner
 public:
     Refiner(ConstrainedTetrahedralization& t, SurfaceSplitter& splitter,
             const DelaunayRefinementOptions3d& options, Budget& budget, RunContext& context)
-        : state_(t, splitter, options),
+        : state_(t, splitter, options, context),
           badTets_(state_),
           boundary_(state_, badTets_),
           insertion_(state_, badTets_, boundary_),
+          swap_(state_),
           budget_(budget),
           context_(context)
     {
@@ -32,6 +34,8 @@ public:
     {
         state_.scale.setInitial();
         countTets();
+        flipAll();
+        state_.walls.find(state_.splitter.mesh(), state_.options.maxWallTets);
         insertSinks();
         if (state_.options.boundary == BoundaryPolicy::Split) {
             boundary_.pushSegments();
@@ -42,8 +46,13 @@ public:
         badTets_.pushAll();
         drain(Phase::Size);
         drain(Phase::Quality);
+        makeDelaunay();
         DelaunayRefinement3d result;
         result.left = collectLeftTets(state_, isStopped_);
+        state_.counts.delaunayFlips = state_.flips.counts().flips;
+        state_.counts.delaunayCavities = state_.flips.counts().cavities;
+        state_.counts.nonDelaunayFaces = countNonDelaunayFaces(state_.mesh, DelaunayPart::Inside);
+        result.walls = state_.walls.walls();
         state_.counts.boundary = boundary_.splitCounts();
         state_.counts.cavityRepairs = state_.t.delaunay->counters().cavityRepairs;
         result.counts = state_.counts;
@@ -108,6 +117,63 @@ private:
         }
     }
 
+    /// Flips and refinement in turn, since flips can make slivers, until both are content.
+    void makeDelaunay()
+    {
+        constexpr int kMostRounds = 8;
+        for (int round = 0; round < kMostRounds && flipAll(); ++round) drain(Phase::Quality);
+    }
+
+    /// Makes all faces Delaunay as far as possible. False if nothing was to be changed.
+    bool flipAll()
+    {
+        bool isChanged = expelSlivers();
+        state_.flips.pushAll();
+        do {
+            state_.flips.clearCreated();
+            state_.flips.flipAndFill(state_.flipBudget);
+            isChanged = isChanged || !state_.flips.created().empty();
+            pushNew(state_.flips.created());
+        } while (swapStuck());
+        return isChanged;
+    }
+
+    /// Tetrahedra without height on two facets of one plane.
+    bool expelSlivers()
+    {
+        bool isChanged = false;
+        for (std::uint32_t i = 0; i < state_.mesh.tetLimit(); ++i) {
+            if ((state_.mesh.flags(TetId(i)) & tet_flag::kFaces) == 0 || !swap_.expel(TetId(i))) continue;
+            isChanged = true;
+            pushNew(swap_.changed());
+        }
+        return isChanged;
+    }
+
+    /// Swaps the diagonals of facets that keep faces from being flipped. Whether there were any.
+    bool swapStuck()
+    {
+        bool isChanged = false;
+        const std::vector<TetFace> stuck = state_.flips.stuck();
+        for (const TetFace face : stuck) {
+            if (!state_.isMeshed(face.tet()) || !state_.flips.isNotDelaunay(face)) continue;
+            if (!swap_.swapAt(face)) continue;
+            isChanged = true;
+            state_.flips.push(swap_.changed());
+            pushNew(swap_.changed());
+        }
+        return isChanged;
+    }
+
+    void pushNew(const std::vector<TetId>& tets)
+    {
+        for (const TetId tet : tets) {
+            if (!state_.isMeshed(tet)) continue;
+            boundary_.pushEncroachedAt(tet);
+            badTets_.push(tet);
+        }
+    }
+
     /// False when the queue has nothing more.
     bool serveTet(TetNeed need)
     {
@@ -141,6 +207,7 @@ private:
     BadTetQueue badTets_;
     BoundaryQueue3d boundary_;
     CircumcentreInsertion insertion_;
+    FacetSwap3d swap_;
     Budget& budget_;
     RunContext& context_;
     std::uint32_t exteriorTets_ = 0;  ///< at the start, ghosts included

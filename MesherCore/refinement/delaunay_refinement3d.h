@@ -8,6 +8,7 @@
 #include "refinement/length_scale3d.h"
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
+#include "refinement/thin_walls.h"
 
 #include <cstdint>
 #include <optional>
@@ -38,6 +39,10 @@ struct RefinementCounts3d
     std::uint64_t abortedInsertions = 0;  ///< no cavity around the circumcentre was star-shaped
     std::uint64_t flatTets = 0;           ///< so flat that the circumcentre of a face had to do
     std::uint64_t cavityRepairs = 0;      ///< tetrahedra taken out of cavities to make them star-shaped
+    std::uint64_t delaunayFlips = 0;      ///< after splits and repairs, and at the end
+    std::uint64_t delaunayCavities = 0;   ///< filled anew at the end where flips were stuck
+    std::uint64_t facetSwaps = 0;         ///< of the diagonal of four corners on one circle
+    std::uint64_t nonDelaunayFaces = 0;   ///< left: unconstrained, inside of the solids
     BoundarySplitCounts boundary;
 };
 
@@ -45,6 +50,7 @@ struct RefinementCounts3d
 enum class LeftReason3d : std::uint8_t
 {
     SmallInputAngle,  ///< beside `angle`
+    ThinWall,         ///< in or beside a wall that is kept flat, between the faces in `entity` and `other`
     LengthScale,      ///< further refinement would go too far below the length scale
     Boundary,         ///< an entity beside it may not or cannot be split any further
     Resolution,       ///< no cavity, or no place for a vertex in double arithmetic
@@ -57,6 +63,7 @@ struct LeftTet3d
     LeftReason3d reason = LeftReason3d::Unfinished;
     std::optional<SmallInputAngle> angle;
     EntityRef entity;  ///< of the boundary in the way; none inside
+    EntityRef other;   ///< the second face of a wall
 };
 
 struct DelaunayRefinementOptions3d
@@ -66,6 +73,8 @@ struct DelaunayRefinementOptions3d
     BoundaryPolicy boundary = BoundaryPolicy::Split;
     /// Segments and facets below it are not split, model units; 0 leaves it to the surface splitter.
     double floor = 0.0;
+    /// Tetrahedra that thin walls may take beyond the sizes wanted. Walls that take more are left with flat ones.
+    double maxWallTets = 1e6;
 };
 
 struct DelaunayRefinement3d
@@ -74,6 +83,7 @@ struct DelaunayRefinement3d
     StopReason stopReason = StopReason::Done;
     RefinementCounts3d counts;
     std::vector<LeftTet3d> left;
+    std::vector<ThinWall> walls;
 };
 
 /// Refines a constrained Delaunay tetrahedralization until every tetrahedron of a region has the size and the quality that

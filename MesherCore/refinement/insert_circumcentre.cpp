@@ -36,11 +36,12 @@ Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
         if (blocking.isValid()) return reject(tet, {{}, blocking, true});
     }
     const RegionId region = state_.mesh.region(tet);
-    if (delaunay.makeStarShaped().status != CavityStatus::Ready) {
+    const Cavity3d& cavity = delaunay.makeStarShaped();
+    if (cavity.status != CavityStatus::Ready) {
         ++state_.counts.abortedInsertions;
         return Attempt::Impossible;
     }
-    insert(region);
+    insert(region, cavity.repairs > 0);
     return Attempt::Inserted;
 }
 
@@ -48,6 +49,8 @@ Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
 /// that leaves room around it.
 Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
 {
+    // Vertices in the middle of a flat wall would only be followed by more.
+    if (state_.walls.wallBeside(tet) != nullptr) return Attempt::Impossible;
     const TetFace blocking = firstConstraintTowards(state_.mesh, tet, centre, state_.t.delaunay->filter());
     Vec3 point = centre;
     if (blocking.isValid()) {
@@ -61,7 +64,7 @@ Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
     const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
     if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) return Attempt::Impossible;
     ++state_.counts.shortInsertions;
-    insert(region);
+    insert(region, cavity.repairs > 0);
     return Attempt::Inserted;
 }
 
@@ -94,7 +97,7 @@ bool CircumcentreInsertion::hasRoom(const Cavity3d& cavity, TetId tet) const
     });
 }
 
-void CircumcentreInsertion::insert(RegionId region)
+void CircumcentreInsertion::insert(RegionId region, bool isRepaired)
 {
     ConstrainedTetrahedralization& t = state_.t;
     VertexClass classification;
@@ -103,7 +106,13 @@ void CircumcentreInsertion::insert(RegionId region)
     if (t.nodeOf.size() <= v.value) t.nodeOf.resize(v.value + v.value / 4u + 16u);
     t.nodeOf[v] = NodeId();
     const bool isLow = state_.scale.assign(v, t.delaunay->neighboursOfCommitted());
+    state_.walls.assign(v, t.delaunay->neighboursOfCommitted(), region);
     for (const TetId created : t.delaunay->created()) badTets_.push(created);
+    if (isRepaired) {
+        for (const TetId flipped : state_.flipAround(t.delaunay->created())) {
+            if (state_.isMeshed(flipped)) badTets_.push(flipped);
+        }
+    }
     if (isLow) badTets_.gradeAround(v);
 }
 
@@ -125,7 +134,7 @@ Attempt CircumcentreInsertion::reject(TetId tet, const Encroached3d& encroached)
 /// shorter and shorter.
 bool CircumcentreInsertion::wouldShrink(TetId tet, std::span<const VertexId> entity)
 {
-    if (!state_.guard.hasAny() || state_.criteria.judge(tet).need != TetNeed::Quality) return false;
+    if (!state_.guard.hasAny() || state_.judge(tet).need != TetNeed::Quality) return false;
     if (!state_.isBesideSmallAngle(entity)) return false;
     double longest = 0.0;
     for (std::size_t i = 0; i < entity.size(); ++i) {

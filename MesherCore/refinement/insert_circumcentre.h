@@ -36,7 +36,7 @@ private:
     Attempt attemptAt(TetId tet, const Vec3& point);
     Attempt insertShortOf(TetId tet, const Vec3& centre);
     Attempt reject(TetId tet, const Encroached3d& encroached);
-    void insert(RegionId region);
+    void insert(RegionId region, bool isRepaired);
     [[nodiscard]] double crossingOf(TetFace face, const Vec3& start, const Vec3& end) const;
     [[nodiscard]] bool hasRoom(const Cavity3d& cavity, TetId tet) const;
     bool wouldShrink(TetId tet, std::span<const VertexId> entity);

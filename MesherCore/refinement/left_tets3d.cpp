@@ -43,8 +43,13 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
 {
     LeftTet3d left;
     left.tet = tet;
-    left.reason = LeftReason3d::Unfinished;
     if (isStopped) return left;
+    if (const ThinWall* wall = state.walls.wallBeside(tet)) {
+        left.reason = LeftReason3d::ThinWall;
+        left.entity = {2, wall->face[0].value};
+        left.other = {2, wall->face[1].value};
+        return left;
+    }
     left.angle = blameFor(state, tet);
     if (left.angle) {
         left.reason = LeftReason3d::SmallInputAngle;
@@ -67,7 +72,7 @@ std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped)
     for (std::uint32_t i = 0; i < state.mesh.tetLimit(); ++i) {
         const TetId tet(i);
         if (!state.isMeshed(tet)) continue;
-        const TetVerdict verdict = state.criteria.judge(tet);
+        const TetVerdict verdict = state.judge(tet);
         if (verdict.need == TetNeed::Nothing && !state.criteria.isBad(tet)) continue;
         left.push_back(explain(state, tet, verdict, isStopped));
     }

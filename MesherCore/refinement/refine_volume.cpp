@@ -20,6 +20,7 @@ Result<void> validate(const RefineVolumeOptions& options)
     const auto isPositive = [](double x) { return std::isfinite(x) && x > 0.0; };
     if (!isPositive(options.sizing.refinement)) return outOfRange("refinement", "a number above 0");
     if (!isPositive(options.sizing.grading)) return outOfRange("grading", "a number above 0");
+    if (!(options.maxWallTets >= 0.0)) return outOfRange("maximum of tetrahedra in walls", "0 or more");
     if (!std::isfinite(options.floor) || options.floor < 0.0) return outOfRange("floor", "0 or more");
     const double best = infoOf(options.quality.measure).regularScore;
     const double threshold = options.quality.threshold.value_or(infoOf(options.quality.measure).threshold);
@@ -41,9 +42,10 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     const Result<void> valid = validate(options);
     if (!valid) return valid.error();
     Budget budget(options.limits, context);
-    DelaunayRefinement3d refinement =
-        refineDelaunay3d(tetrahedralization, splitter,
-                         {options.sizing, options.quality, options.boundary, options.floor}, budget, context);
+    DelaunayRefinement3d refinement = refineDelaunay3d(
+        tetrahedralization, splitter,
+        {options.sizing, options.quality, options.boundary, options.floor, options.maxWallTets}, budget,
+        context);
     if (context.checkLevel() == CheckLevel::Full) {
         MESHER_INVARIANT(checkRefinement(tetrahedralization, splitter.mesh()).isValid());
     }
@@ -51,6 +53,8 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     result.stopReason = refinement.stopReason;
     result.counts = refinement.counts;
     result.left = std::move(refinement.left);
+    result.walls = std::move(refinement.walls);
+    result.places = groupLeftTets(tetrahedralization, result.left);
     const Triangulation3d& mesh = tetrahedralization.mesh();
     result.vertices = mesh.vertexCount();
     for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {

@@ -6,6 +6,7 @@
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_splitter.h"
 #include "refinement/delaunay_refinement3d.h"
+#include "refinement/left_places3d.h"
 
 namespace mesher {
 
@@ -16,6 +17,8 @@ struct RefineVolumeOptions
     BoundaryPolicy boundary = BoundaryPolicy::Split;
     /// Segments and facets below it are not split, model units. DEFAULT: what the surface splitter allows
     double floor = 0.0;
+    /// Tetrahedra that thin walls may take beyond the sizes wanted; see ThinWalls.
+    double maxWallTets = 1e6;
     BudgetLimits limits;
 };
 
@@ -28,6 +31,9 @@ struct RefinedVolume
     std::uint64_t leftForSmallAngles = 0;
     /// Tetrahedra of regions that are too large or bad still, each with the reason.
     std::vector<LeftTet3d> left;
+    /// The same in groups, for people.
+    std::vector<LeftPlace3d> places;
+    std::vector<ThinWall> walls;
 };
 
 /// Refines the inside of a model to the sizes and the quality that are wanted, splitting its surface mesh along.

@@ -19,4 +19,12 @@ bool RefinementState3d::isBesideSmallAngle(std::span<const VertexId> entity) con
            });
 }
 
+const std::vector<TetId>& RefinementState3d::flipAround(std::span<const TetId> created)
+{
+    flips.clearCreated();
+    flips.push(created);
+    flips.flip(flipBudget);
+    return flips.created();
+}
+
 }  // namespace mesher

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "base/budget.h"
+#include "delaunay/constrained_flips3d.h"
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_splitter.h"
 #include "refinement/delaunay_refinement3d.h"
 #include "refinement/length_scale3d.h"
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
+#include "refinement/thin_walls.h"
 
 namespace mesher {
 
@@ -13,14 +16,17 @@ namespace mesher {
 struct RefinementState3d
 {
     RefinementState3d(ConstrainedTetrahedralization& tetrahedralization, SurfaceSplitter& surfaceSplitter,
-                      const DelaunayRefinementOptions3d& wanted)
+                      const DelaunayRefinementOptions3d& wanted, const RunContext& context)
         : t(tetrahedralization),
           mesh(t.mesh()),
           splitter(surfaceSplitter),
           options(wanted),
           scale(t, options.sizing),
           criteria(mesh, scale, options.quality),
-          guard(t, splitter.mesh())
+          guard(t, splitter.mesh()),
+          walls(t),
+          flips(*t.delaunay, DelaunayPart::Inside),
+          flipBudget({}, context)
     {
     }
 
@@ -34,6 +40,11 @@ struct RefinementState3d
         const auto& node = splitter.mesh().facets[facet].node;
         return {t.vertexOf[node[0]], t.vertexOf[node[1]], t.vertexOf[node[2]]};
     }
+    /// What a meshed tetrahedron needs; nothing in a wall that is kept flat, whose facets have the sizes wanted.
+    [[nodiscard]] TetVerdict judge(TetId tet) const
+    {
+        return walls.isInKept(tet) ? TetVerdict{} : criteria.judge(tet);
+    }
     /// The facet of a constrained face, or none.
     [[nodiscard]] const FacetId* facetAt(TetFace face) const;
     /// The segment between two vertices, or none.
@@ -44,6 +55,9 @@ struct RefinementState3d
     /// Whether the entity has a vertex on a small angle: there the two sides of the angle always encroach upon each other.
     [[nodiscard]] bool isBesideSmallAngle(std::span<const VertexId> entity) const;
 
+    /// Makes the faces of new tetrahedra Delaunay as far as flips can; returns the tetrahedra of the flips.
+    const std::vector<TetId>& flipAround(std::span<const TetId> created);
+
     ConstrainedTetrahedralization& t;
     Triangulation3d& mesh;
     SurfaceSplitter& splitter;
@@ -51,6 +65,9 @@ struct RefinementState3d
     LengthScale3d scale;
     RefinementCriteria3d criteria;
     SmallAngleGuard guard;
+    ThinWalls walls;
+    ConstrainedFlips3d flips;
+    Budget flipBudget;  ///< flips end by themselves: it only lets them be cancelled
     RefinementCounts3d counts;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace mesher {
@@ -16,10 +17,11 @@ double degreesBetween(const Vec3& u, const Vec3& v)
     return std::atan2(length(cross(u, v)), dot(u, v)) * kDegrees;
 }
 
-void keepSmallest(IndexedMap<std::uint32_t, double>& angles, std::uint32_t key, double degrees)
+void keepSmallest(IndexedMap<std::uint32_t, SmallInputAngle>& angles, SmallInputAngle angle)
 {
-    double& smallest = *angles.insert(key, degrees).first;
-    smallest = std::min(smallest, degrees);
+    if (angle.side[1] < angle.side[0]) std::swap(angle.side[0], angle.side[1]);
+    SmallInputAngle& smallest = *angles.insert(angle.entity.index, angle).first;
+    if (angle.degrees < smallest.degrees) smallest = angle;
 }
 
 /// Angle in degrees of a tetrahedron at its edge (a, b).
@@ -37,38 +39,49 @@ double dihedralAt(const Triangulation3d& mesh, TetId tet, VertexId a, VertexId b
     return degreesBetween(side[0], side[1]);
 }
 
-bool hasConstrainedSideAt(const Triangulation3d& mesh, TetId tet, VertexId a, VertexId b, TetId next)
+/// The constrained face at the edge between a tetrahedron and the next one around it; invalid if there is none.
+TetFace constrainedSideAt(const Triangulation3d& mesh, TetId tet, VertexId a, VertexId b, TetId next)
 {
     for (int face = 0; face < 4; ++face) {
         const VertexId opposite = mesh.vertex(tet, face);
         if (opposite == a || opposite == b) continue;
-        if (mesh.neighbour(tet, face).tet() == next && mesh.isFaceConstrained({tet, face})) return true;
+        if (mesh.neighbour(tet, face).tet() == next && mesh.isFaceConstrained({tet, face}))
+            return {tet, face};
     }
-    return false;
+    return {};
 }
 
-/// The smallest angle between neighbouring facets at an edge over a region; 360 if there is none.
-double smallestSector(const Triangulation3d& mesh, VertexId a, VertexId b)
+struct Sector
 {
+    double degrees = 360.0;
+    std::array<TetFace, 2> side;
+};
+
+/// The smallest angle between neighbouring facets at an edge over a region; 360 if there is none.
+Sector smallestSector(const Triangulation3d& mesh, VertexId a, VertexId b)
+{
+    Sector smallest;
     const TetId at = mesh.findEdge(a, b);
-    if (!at.isValid()) return 360.0;
+    if (!at.isValid()) return smallest;
     std::vector<TetId> ring;
     mesh.collectEdgeRing(at, a, b, ring);
     // Start behind a facet, so that no sector is cut in two.
     const std::size_t n = ring.size();
     std::size_t first = n;
+    Sector sector;
     for (std::size_t i = 0; i < n && first == n; ++i) {
-        if (hasConstrainedSideAt(mesh, ring[i], a, b, ring[(i + 1) % n])) first = (i + 1) % n;
+        sector.side[0] = constrainedSideAt(mesh, ring[i], a, b, ring[(i + 1) % n]);
+        if (sector.side[0].isValid()) first = (i + 1) % n;
     }
-    double smallest = 360.0;
-    double sector = 0.0;
+    sector.degrees = 0.0;
     for (std::size_t i = 0; i < n && first < n; ++i) {
         const TetId tet = ring[(first + i) % n];
         const bool isMeshed = !mesh.isGhostTet(tet) && mesh.region(tet) != kExteriorRegion;
-        sector = isMeshed ? sector + dihedralAt(mesh, tet, a, b) : 360.0;
-        if (!hasConstrainedSideAt(mesh, tet, a, b, ring[(first + i + 1) % n])) continue;
-        smallest = std::min(smallest, sector);
-        sector = 0.0;
+        sector.degrees = isMeshed ? sector.degrees + dihedralAt(mesh, tet, a, b) : 360.0;
+        sector.side[1] = constrainedSideAt(mesh, tet, a, b, ring[(first + i + 1) % n]);
+        if (!sector.side[1].isValid()) continue;
+        if (sector.degrees < smallest.degrees) smallest = sector;
+        sector = {0.0, {sector.side[1], {}}};
     }
     return smallest;
 }
@@ -86,9 +99,18 @@ void SmallAngleGuard::measureSegments(const ConstrainedTetrahedralization& t, co
 {
     for (const SurfaceSegment& segment : surface.segments) {
         if (!segment.isAlive()) continue;
-        const double degrees =
+        const Sector sector =
             smallestSector(t.mesh(), t.vertexOf[segment.node[0]], t.vertexOf[segment.node[1]]);
-        if (degrees < kSmallDihedral) keepSmallest(edges_, segment.edge.value, degrees);
+        if (sector.degrees >= kSmallDihedral) continue;
+        const auto faceOf = [&](TetFace side) {
+            std::array<VertexId, 3> corners = t.mesh().faceVertices(side);
+            std::sort(corners.begin(), corners.end());
+            const FacetId* facet = t.facetOf.find(corners);
+            return facet == nullptr ? EntityRef{} : EntityRef{2, surface.facets[*facet].face.value};
+        };
+        keepSmallest(
+            edges_,
+            {{1, segment.edge.value}, sector.degrees, {faceOf(sector.side[0]), faceOf(sector.side[1])}});
     }
 }
 
@@ -98,6 +120,7 @@ void SmallAngleGuard::measureCorners(const SurfaceMesh& surface)
     {
         std::uint32_t vertex;
         Vec3 direction;
+        BrepEdgeId edge;
     };
     std::vector<Arm> arms;
     for (const SurfaceSegment& segment : surface.segments) {
@@ -105,8 +128,8 @@ void SmallAngleGuard::measureCorners(const SurfaceMesh& surface)
         for (unsigned end = 0; end < 2; ++end) {
             const MeshNode& node = surface.nodes[segment.node[end]];
             if (node.entity.dimension != 0) continue;
-            arms.push_back(
-                {node.entity.index, surface.nodes[segment.node[1 - end]].position - node.position});
+            arms.push_back({node.entity.index, surface.nodes[segment.node[1 - end]].position - node.position,
+                            segment.edge});
         }
     }
     std::stable_sort(arms.begin(), arms.end(),
@@ -114,7 +137,10 @@ void SmallAngleGuard::measureCorners(const SurfaceMesh& surface)
     for (std::size_t i = 0; i < arms.size(); ++i) {
         for (std::size_t j = i + 1; j < arms.size() && arms[j].vertex == arms[i].vertex; ++j) {
             const double degrees = degreesBetween(arms[i].direction, arms[j].direction);
-            if (degrees < kSmallCorner) keepSmallest(vertices_, arms[i].vertex, degrees);
+            if (degrees >= kSmallCorner) continue;
+            keepSmallest(vertices_, {{0, arms[i].vertex},
+                                     degrees,
+                                     {EntityRef{1, arms[i].edge.value}, EntityRef{1, arms[j].edge.value}}});
         }
     }
 }
@@ -124,10 +150,10 @@ void SmallAngleGuard::collectPlaces(const SurfaceMesh& surface)
     places_.clear();
     if (!hasAny()) return;
     for (const MeshNode& node : surface.nodes) {
-        const double* degrees = nullptr;
-        if (node.entity.dimension == 0) degrees = vertices_.find(node.entity.index);
-        if (node.entity.dimension == 1) degrees = edges_.find(node.entity.index);
-        if (degrees != nullptr) places_.push_back({node.position, {node.entity, *degrees}});
+        const SmallInputAngle* angle = nullptr;
+        if (node.entity.dimension == 0) angle = vertices_.find(node.entity.index);
+        if (node.entity.dimension == 1) angle = edges_.find(node.entity.index);
+        if (angle != nullptr) places_.push_back({node.position, *angle});
     }
     std::stable_sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
         return isLexicographicallyLess(a.position, b.position);

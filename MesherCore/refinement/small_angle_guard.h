@@ -4,6 +4,7 @@
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_mesh.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct SmallInputAngle
 {
     EntityRef entity;  ///< the edge at which two faces meet, or the vertex at which two edges meet
     double degrees = 0.0;
+    std::array<EntityRef, 2> side;  ///< the two faces, or the two edges, ascending
 };
 
 /// The small angles of the input, which no refinement can remove: what tetrahedra beside them may not be refined for, and
@@ -47,8 +49,8 @@ private:
     void measureSegments(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface);
     void measureCorners(const SurfaceMesh& surface);
 
-    IndexedMap<std::uint32_t, double> edges_;     ///< by model edge, degrees
-    IndexedMap<std::uint32_t, double> vertices_;  ///< by model vertex, degrees
+    IndexedMap<std::uint32_t, SmallInputAngle> edges_;     ///< by model edge
+    IndexedMap<std::uint32_t, SmallInputAngle> vertices_;  ///< by model vertex
 
     struct Place
     {

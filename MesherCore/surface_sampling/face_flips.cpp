@@ -31,7 +31,9 @@ FlipObstacle obstacleToFlip(const FaceMesh& mesh, const FaceGeometry& geometry, 
     const EdgeLink other = mesh.across(side);
     if (!other.isValid() || mesh.segment(side).isValid()) return FlipObstacle::Constrained;
     const VertexId near = mesh.apex(side), far = mesh.apex(other);
-    if (near == far || mesh.areJoined(near, far)) return FlipObstacle::Joined;
+    const NodeId node = mesh.vertex(near).node;
+    const bool isOneNode = node.isValid() && node == mesh.vertex(far).node;
+    if (near == far || isOneNode || mesh.areJoined(near, far)) return FlipObstacle::Joined;
     const FaceVertex& a = mesh.vertex(mesh.from(side));
     const FaceVertex& b = mesh.vertex(mesh.to(side));
     const FaceVertex& c = mesh.vertex(near);

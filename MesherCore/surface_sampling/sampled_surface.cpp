@@ -1,6 +1,7 @@
 #include "surface_sampling/sampled_surface.h"
 
 #include "base/assert.h"
+#include "surface_sampling/face_flips.h"
 #include "surface_sampling/face_replacement.h"
 
 #include <cmath>
@@ -252,6 +253,49 @@ SurfaceSplitResult SampledSurface::commit(const SurfaceSplit& split)
     }
     for (const FacetId facet : split.removed) mesh_.facets[facet].face = BrepFaceId();
     return result;
+}
+
+// ---- swaps -----------------------------------------------------------------------------------------------------------
+
+/// Invalid if the facets are not neighbours on one face.
+EdgeLink SampledSurface::sideBetween(FacetId first, FacetId second) const
+{
+    const BrepFaceId f = mesh_.facets[first].face;
+    if (!f.isValid() || mesh_.facets[second].face != f) return {};
+    const FaceMesh& mesh = faces_->face(f)->mesh;
+    for (unsigned k = 0; k < 3; ++k) {
+        const EdgeLink side(triangleOf_[first], k), other = mesh.across(side);
+        if (other.isValid() && other.triangle() == triangleOf_[second]) return side;
+    }
+    return {};
+}
+
+bool SampledSurface::maySwap(FacetId first, FacetId second) const
+{
+    const EdgeLink side = sideBetween(first, second);
+    if (!side.isValid()) return false;
+    const SampledFace& face = *faces_->face(mesh_.facets[first].face);
+    return obstacleToFlip(face.mesh, face.geometry, side) == FlipObstacle::None;
+}
+
+std::array<FacetId, 2> SampledSurface::swap(FacetId first, FacetId second)
+{
+    const BrepFaceId f = mesh_.facets[first].face;
+    SampledFace& face = *faces_->face(f);
+    const EdgeLink diagonal = flip(face.mesh, face.geometry, sideBetween(first, second));
+    std::array<FacetId, 2> added;
+    const std::array<TriangleId, 2> made{diagonal.triangle(), face.mesh.across(diagonal).triangle()};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const FaceTriangle& record = face.mesh.triangle(made[i]);
+        SurfaceFacet facet{{}, f, record.uv};
+        for (std::size_t k = 0; k < 3; ++k) facet.node[k] = face.mesh.vertex(record.v[k]).node;
+        added[i] = mesh_.facets.push_back(facet);
+        triangleOf_.push_back(made[i]);
+        facetOf_[f][made[i].value] = added[i];
+    }
+    mesh_.facets[first].face = BrepFaceId();
+    mesh_.facets[second].face = BrepFaceId();
+    return added;
 }
 
 }  // namespace mesher

@@ -24,6 +24,8 @@ public:
     void evaluateFacet(FacetId facet, SurfaceSplitExtent extent, SurfaceSplit& split) override;
     [[nodiscard]] bool accepts(const SurfaceSplit& split) const override;
     SurfaceSplitResult commit(const SurfaceSplit& split) override;
+    [[nodiscard]] bool maySwap(FacetId first, FacetId second) const override;
+    std::array<FacetId, 2> swap(FacetId first, FacetId second) override;
 
     [[nodiscard]] SampledFaces& faces() { return *faces_; }
     /// Where the facet is in its face's own mesh.
@@ -35,6 +37,7 @@ private:
     void numberNodes(BrepFaceId f);
     void numberFacets(BrepFaceId f);
     [[nodiscard]] Vec2 insideBounds(BrepFaceId f, Vec2 uv) const;
+    [[nodiscard]] EdgeLink sideBetween(FacetId first, FacetId second) const;
     void appendStar(BrepFaceId f, const FaceStar& star, SurfaceSplit& split) const;
     void commitFace(BrepFaceId f, const SurfaceSplit& split, SurfaceSplitResult& result);
 

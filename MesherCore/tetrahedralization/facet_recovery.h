@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tetrahedralization/cavity_retriangulation.h"
+#include "delaunay/cavity_retriangulation.h"
 #include "tetrahedralization/facet_crossing.h"
 #include "tetrahedralization/flip_search.h"
 #include "tetrahedralization/segment_recovery.h"

@@ -1,7 +1,7 @@
 #include "tetrahedralization/free_vertex_removal.h"
 
+#include "delaunay/cavity_retriangulation.h"
 #include "predicates/orient3d.h"
-#include "tetrahedralization/cavity_retriangulation.h"
 #include "tetrahedralization/flip_search.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "tetrahedralization/tetrahedralize.h"
 
 #include "delaunay/constrained_check.h"
+#include "delaunay/constrained_flips3d.h"
 #include "delaunay/delaunay_check3d.h"
-#include "tetrahedralization/constrained_delaunay3d.h"
 #include "tetrahedralization/constraint_recovery.h"
 #include "tetrahedralization/free_vertex_removal.h"
 #include "tetrahedralization/linear_splitter.h"
@@ -39,9 +39,11 @@ Result<void> recover(SurfaceSplitter& surface, const TetrahedralizationOptions& 
 
 void restoreDelaunay(Budget& budget, Tetrahedralization& result)
 {
-    const ConstrainedDelaunayCounts flips = makeConstrainedDelaunay(result.tets, budget);
-    result.counts.delaunayFlips += flips.flips;
-    result.counts.delaunayCavities += flips.cavities;
+    ConstrainedFlips3d flips(*result.tets.delaunay, DelaunayPart::Everywhere);
+    flips.pushAll();
+    flips.flipAndFill(budget);
+    result.counts.delaunayFlips += flips.counts().flips;
+    result.counts.delaunayCavities += flips.counts().cavities;
 }
 
 /// Each full check costs a good part of the stage.

@@ -51,7 +51,7 @@ struct TetrahedralizationCounts
         0;  ///< scaffold and additional vertices inside of solids that could not be removed
     std::uint64_t recoveryFlips = 0;
     std::uint64_t delaunayFlips = 0;
-    std::uint32_t delaunayCavities = 0;  ///< cavities filled anew where flips were stuck
+    std::uint64_t delaunayCavities = 0;  ///< cavities filled anew where flips were stuck
     std::uint64_t nonDelaunayFaces =
         0;  ///< at the end, inside of solids: faces with a vertex strictly inside of the sphere beside
 };

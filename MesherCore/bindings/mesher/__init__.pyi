@@ -128,6 +128,7 @@ def mesh(
     order: Literal[1, 2] = 1,
     threads: int = 1,
     max_elements: int = 50_000_000,
+    max_wall_elements: int = 1_000_000,
     timeout: Optional[float] = None,
     check: bool = False,
 ) -> Mesh: ...

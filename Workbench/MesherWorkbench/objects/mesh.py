@@ -3,10 +3,10 @@
 _DIMENSIONS = ["From Shape", "2D", "3D"]
 _ORDERS = ["1st", "2nd"]
 
-# type, name, group, what it means, default
+# type, name, group, what it means, default; links are global because a part may be inside of a body
 _PROPERTIES = (
-    ("App::PropertyLink", "Part", "FEM Mesh", "Object whose exact shape is meshed", None),
-    ("App::PropertyLinkSubList", "References", "FEM Mesh", "Faces to mesh; without any, the whole part", None),
+    ("App::PropertyLinkGlobal", "Part", "FEM Mesh", "Object whose exact shape is meshed", None),
+    ("App::PropertyLinkSubListGlobal", "References", "FEM Mesh", "Faces to mesh; without any, the whole part", None),
     ("App::PropertyLength", "CharacteristicLengthMax", "FEM Mesh", "Largest size of elements; 0 is no limit", 0.0),
     ("App::PropertyLength", "CharacteristicLengthMin", "FEM Mesh", "Smallest size of elements; 0 is no limit", 0.0),
     ("App::PropertyEnumeration", "ElementDimension", "FEM Mesh", "Faces or solids", _DIMENSIONS),
@@ -18,7 +18,7 @@ _PROPERTIES = (
     ("App::PropertyBool", "OptimizeStd", "FEM Mesh", "Improve the mesh after it is refined", True),
     ("App::PropertyInteger", "Threads", "FEM Mesh", "Threads to use; the mesh does not depend on them", 1),
     ("App::PropertyMap", "LocalSizes", "FEM Mesh", "Sizes of faces, edges and vertices: Face6 is 0.5 mm", None),
-    ("App::PropertyLinkList", "MeshRegionList", "FEM Mesh", "Regions with sizes of their own", None),
+    ("App::PropertyLinkListGlobal", "MeshRegionList", "FEM Mesh", "Regions with sizes of their own", None),
     ("App::PropertyString", "Report", "Result", "What the last run did, as JSON", ""),
     ("App::PropertyInteger", "NodeCount", "Result", "Nodes of the mesh", 0),
     ("App::PropertyInteger", "ElementCount", "Result", "Elements of highest dimension", 0),

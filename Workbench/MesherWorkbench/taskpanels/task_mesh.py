@@ -30,10 +30,29 @@ _NUMBERS = (("curvature", "MeshSizeFromCurvature"), ("improve", "OptimizeStd"))
 _LOCAL_KINDS = ("Face", "Edge", "Vertex")
 
 
+class _DocumentWatch:
+    """Tells the panel that its document is being closed."""
+
+    def __init__(self, panel, name):
+        self._panel = panel
+        self._name = name
+        FreeCAD.addDocumentObserver(self)
+
+    def slotDeletedDocument(self, document):
+        if document.Name == self._name:
+            # Behind the closing, which is in the middle of its work.
+            QtCore.QTimer.singleShot(0, self._panel.leave)
+
+    def end(self):
+        FreeCAD.removeDocumentObserver(self)
+
+
 class TaskMesh:
     def __init__(self, obj, isNew=False):
         self._obj = obj
-        self._document = obj.Document
+        self._document_name = obj.Document.Name
+        self._watch = _DocumentWatch(self, self._document_name)
+        self._is_open = True
         self._is_new = isNew
         self._tool = None
         self._task = None
@@ -63,8 +82,10 @@ class TaskMesh:
         if self._task is not None:
             return False
         self._take_over()
+        document = self._document()
         self._close()
-        self._document.commitTransaction()
+        if document is not None:
+            document.commitTransaction()
         return True
 
     def reject(self):
@@ -72,24 +93,38 @@ class TaskMesh:
         self._task = None
         if self._is_new and self._is_alive():
             show_part_instead_of_mesh(self._obj)
+        document = self._document()
         self._close()
-        self._document.abortTransaction()
+        if document is not None:
+            document.abortTransaction()
         return True
 
+    def leave(self):
+        """Without a document there is nothing to take over or take back."""
+        if self._is_open:
+            self._cancel()
+            self._task = None
+            self._close()
+
     def _close(self):
+        self._is_open = False
+        self._watch.end()
         self._poller.stop()
         self._estimator.stop()
         QtGui.QApplication.instance().aboutToQuit.disconnect(self._cancel)
-        view = FreeCADGui.getDocument(self._document.Name)
-        if view is not None:
-            view.resetEdit()
+        if self._document() is not None:
+            FreeCADGui.getDocument(self._document_name).resetEdit()
         FreeCADGui.Control.closeDialog()
 
     # between form and object
+    def _document(self):
+        """The document, or None once it is closed."""
+        return FreeCAD.listDocuments().get(self._document_name)
+
     def _is_alive(self):
         """Whether the object still is in its document."""
         try:
-            return self._document.getObject(self._obj.Name) is not None
+            return self._document() is not None and self._document().getObject(self._obj.Name) is not None
         except ReferenceError:
             return False
 
@@ -241,7 +276,7 @@ class TaskMesh:
         for failure in getattr(error, "failures", ()):
             name = self._tool.name_in_part(failure["entity"])
             if name.startswith(_LOCAL_KINDS) and self._is_alive():
-                FreeCADGui.Selection.addSelection(self._document.Name, self._obj.Part.Name, name)
+                FreeCADGui.Selection.addSelection(self._document_name, self._obj.Part.Name, name)
         show_refusal(in_words_of_panel(error))
 
     def _finish(self, text):

@@ -1,4 +1,4 @@
-#include "tetrahedralization/cavity_retriangulation.h"
+#include "delaunay/cavity_retriangulation.h"
 
 #include "predicates/orient3d.h"
 

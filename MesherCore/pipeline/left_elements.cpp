@@ -1,0 +1,92 @@
+#include "pipeline/left_elements.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace mesher {
+
+namespace {
+
+std::string rounded(double value)
+{
+    char digits[32];
+    return {digits,
+            std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::general, 3).ptr};
+}
+
+std::string angleText(const LeftPlace3d& place)
+{
+    const std::string at =
+        " meet at " + nameOf(place.entity[0]) + " at " + rounded(place.degrees) + " degrees";
+    return nameOf(place.entity[1]) + " and " + nameOf(place.entity[2]) + at;
+}
+
+std::string reasonOf(const LeftPlace3d& place)
+{
+    switch (place.reason) {
+        case LeftReason3d::SmallInputAngle: return angleText(place);
+        case LeftReason3d::ThinWall:
+            return "the thin wall between " + nameOf(place.entity[0]) + " and " + nameOf(place.entity[1]) +
+                   " is kept flat";
+        case LeftReason3d::LengthScale: return "better ones would be far smaller than the shape around them";
+        case LeftReason3d::Boundary:
+            return nameOf(place.entity[0]) + " beside them cannot be split any further";
+        case LeftReason3d::Resolution: return "no place for a better vertex was found";
+        case LeftReason3d::Unfinished: return "the run was ended before";
+    }
+    return {};
+}
+
+std::string remedyOf(LeftReason3d reason)
+{
+    switch (reason) {
+        case LeftReason3d::SmallInputAngle:
+            return "no mesh is better beside such an angle; round it off if that matters";
+        case LeftReason3d::ThinWall: return "raise --max-wall-elements, or mesh the wall as a shell";
+        case LeftReason3d::LengthScale:
+        case LeftReason3d::Boundary: return "choose a smaller --size there";
+        case LeftReason3d::Resolution: return "remove what is tiny in the model there";
+        case LeftReason3d::Unfinished: return "raise the limit that ended the run";
+    }
+    return {};
+}
+
+LeftElements elementsOf(const LeftPlace3d& place)
+{
+    LeftElements left{reasonOf(place),       {},          place.count,           place.leastDihedral,
+                      place.largestDihedral, place.worst, remedyOf(place.reason)};
+    for (const EntityRef entity : place.entity) {
+        if (entity.index != EntityRef::kNone) left.entities.push_back(nameOf(entity));
+    }
+    return left;
+}
+
+std::string warningOf(const ThinWall& wall, std::uint64_t most)
+{
+    return "the wall between " + nameOf(EntityRef{2, wall.face[0].value}) + " and " +
+           nameOf(EntityRef{2, wall.face[1].value}) + ", down to " + rounded(wall.thickness) +
+           " thick, is left with flat tetrahedra: good ones would be about " + rounded(wall.tets) +
+           ", and --max-wall-elements is " + std::to_string(most);
+}
+
+}  // namespace
+
+void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
+{
+    for (const LeftPlace3d& place : refined.places) report.left.push_back(elementsOf(place));
+    std::vector<ThinWall> kept = refined.walls;
+    std::erase_if(kept, [](const ThinWall& wall) { return !wall.isKept; });
+    std::stable_sort(kept.begin(), kept.end(),
+                     [](const ThinWall& a, const ThinWall& b) { return a.tets > b.tets; });
+    constexpr std::size_t kMostWarnings = 20;
+    for (std::size_t i = 0; i < std::min(kept.size(), kMostWarnings); ++i)
+        report.warnings.push_back(warningOf(kept[i], report.options.maxWallElements));
+    if (kept.size() > kMostWarnings)
+        report.warnings.push_back(std::to_string(kept.size() - kMostWarnings) +
+                                  " more walls are left with flat tetrahedra");
+}
+
+}  // namespace mesher

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "refinement/refinement_state3d.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace mesher {
+
+/// Swaps the diagonal of two facets of one face, with the tetrahedra beside it. Four corners on one circle, as structured
+/// faces have them, allow of either diagonal; rounding then decides which of them the tetrahedra want.
+/// Guarantees   surface mesh, constraints, maps and regions agree afterwards; the surface moves by less than kNearlyPlane of
+///              the diagonal
+class FacetSwap3d
+{
+public:
+    /// Height of the fourth corner above the other three, as a share of the diagonal, up to which the two facets are one
+    /// plane with the other diagonal: far below any tolerance, far above rounding.
+    static constexpr double kNearlyPlane = 1e-9;
+
+    explicit FacetSwap3d(RefinementState3d& state) : state_(state) {}
+
+    /// For an unconstrained face that is not Delaunay and cannot be flipped because of a facet diagonal: swaps that. The
+    /// tetrahedra that were changed are in `changed`; false if there is no such diagonal.
+    bool swapAt(TetFace face);
+    /// A tetrahedron of a solid between two facets and their other diagonal goes to the outside. False if it is none.
+    bool expel(TetId tet);
+    [[nodiscard]] const std::vector<TetId>& changed() const { return changed_; }
+
+private:
+    /// An edge ab between two facets abc and abd.
+    struct Diagonal
+    {
+        std::array<VertexId, 2> end;
+        std::array<VertexId, 2> apex;
+        std::array<FacetId, 2> facet;
+    };
+
+    [[nodiscard]] std::optional<Diagonal> diagonalAt(VertexId a, VertexId b);
+    [[nodiscard]] bool isNearlyPlane(const Diagonal& diagonal) const;
+    [[nodiscard]] TetId sliverAt(const Diagonal& diagonal) const;
+    bool flipFlat(const Diagonal& diagonal);
+    void giveToOtherSide(TetId sliver, const Diagonal& diagonal);
+    void swapOnSurface(const Diagonal& diagonal);
+
+    RefinementState3d& state_;
+    std::vector<TetId> ring_;
+    std::vector<TetId> changed_;
+};
+
+}  // namespace mesher
