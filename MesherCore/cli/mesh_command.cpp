@@ -127,8 +127,7 @@ private:
         boundary_ = std::move(outcome.curvedBoundary);
         if (mesh_) mesh_->title = command_.model.filename().string();
         const bool isWhole = report_.status == MeshReport::Status::Done;
-        const bool isPartial =
-            report_.stopReason != StopReason::Done && report_.status == MeshReport::Status::Failed;
+        const bool isPartial = report_.status == MeshReport::Status::Failed;
         return mesh_.has_value() && (isWhole || (isPartial && command_.keepsPartial));
     }
 

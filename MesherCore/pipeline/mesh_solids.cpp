@@ -67,6 +67,14 @@ public:
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
             if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
         }
+        return outcome_.mesh ? std::move(outcome_) : keepSurface();
+    }
+
+    /// What there is of a run that goes no further.
+    MeshOutcome keepSurface()
+    {
+        if (sample_.surface && report().status != MeshReport::Status::Cancelled)
+            outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
         return std::move(outcome_);
     }
 
@@ -378,7 +386,8 @@ void finish(const MeshOptions& options, MeshOutcome& outcome)
                      [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     describeMesh(*outcome.mesh, outcome.report);
-    if (options.isChecked) checkWhole(*outcome.mesh, outcome.report);
+    const bool isWhole = outcome.report.status == MeshReport::Status::Done;
+    if (isWhole && options.isChecked) checkWhole(*outcome.mesh, outcome.report);
 }
 
 std::vector<SampledComponent> sampledComponents(const std::vector<ModelComponent>& components,
@@ -423,19 +432,17 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     std::deque<SolidRun> runs;
     for (const ModelComponent& component : components)
         runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
-    if (!tellContacts(sampledComponents(components, runs), whole.report)) return whole;
+    const bool areFree = tellContacts(sampledComponents(components, runs), whole.report);
     ClassifiedMesh mesh;
-    bool isWhole = true;
     for (std::size_t i = 0; i < components.size(); ++i) {
         whole.report.warnings.insert(whole.report.warnings.end(), components[i].notes.begin(),
                                      components[i].notes.end());
-        const MeshOutcome part = runs[i].meshVolumes();
+        const MeshOutcome part = areFree ? runs[i].meshVolumes() : runs[i].keepSurface();
         addReport(components[i], part.report, whole.report);
         if (part.mesh) appendComponent(components[i], *part.mesh, mesh);
-        isWhole = isWhole && part.mesh.has_value();
         if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     }
-    if (isWhole) whole.mesh = std::move(mesh);
+    if (!mesh.nodes.empty()) whole.mesh = std::move(mesh);
     finish(options, whole);
     return whole;
 }

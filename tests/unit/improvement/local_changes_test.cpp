@@ -288,7 +288,8 @@ TEST(VertexInsertion, KeepsFacesBetweenSolids)
         Workshop divided(small);
         if (test::leastScore(divided.complex) <= 0.0) continue;
         VertexSmoothing smoothing(divided.complex, divided.geometry, BoundaryChanges::Allowed);
-        EXPECT_FALSE(VertexInsertion(divided.complex, smoothing).evaluate(TetId(0), 0.0, 0.9, divided.change));
+        EXPECT_FALSE(
+            VertexInsertion(divided.complex, smoothing).evaluate(TetId(0), 0.0, 0.9, divided.change));
         small.mesh.triangles.clear();
         small.mesh.tets[1].entity.index = 0;
         Workshop whole(small);
