@@ -11,6 +11,7 @@
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
+#include "pipeline/wall_estimate.h"
 #include "refinement/refine_volume.h"
 #include "surface_sampling/sample_surface.h"
 #include "tetrahedralization/tetrahedralize.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,7 +65,7 @@ public:
 
     MeshOutcome meshVolumes()
     {
-        if (isSampled_ && tetrahedralizeSample() && refine()) {
+        if (isSampled_ && canFillWalls() && tetrahedralizeSample() && refine()) {
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
             if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
         }
@@ -141,6 +143,19 @@ private:
         add("sample_vertices", counts.vertices);
         add("sample_facets", counts.facets);
         add("sample_segments", counts.segments);
+    }
+
+    bool canFillWalls()
+    {
+        const WallEstimate walls = estimateWalls(sample_.surface->mesh(), sides_);
+        if (walls.elements <= mostExpectedElements(options_)) return true;
+        std::ostringstream message;
+        message.precision(3);
+        message << "the wall behind it is " << walls.thickness << " thick, and about " << walls.elements
+                << " elements would be needed in walls so thin, more than --max-elements "
+                << options_.maxElements;
+        return failed({ErrorCode::OutOfRange, message.str(), nameOf(walls.face), walls.place,
+                       "thicken the wall, mesh a face of it with --dimension 2, or raise --max-elements"});
     }
 
     bool tetrahedralizeSample()
