@@ -65,7 +65,8 @@ TEST(MeshSolids, NamesTheFacesWhereASolidCrossesItself)
     const BrepModel model =
         oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({0.5, 0.3, 0.2}, {2.0, 2.0, 2.0}));
     const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
-    EXPECT_FALSE(outcome.mesh);
+    EXPECT_NE(outcome.report.status, MeshReport::Status::Done);
+    EXPECT_TRUE(!outcome.mesh || outcome.mesh->tets.empty()) << "the surfaces alone may be kept";
     ASSERT_FALSE(outcome.report.failures.empty());
     const Error& error = outcome.report.failures.front();
     EXPECT_EQ(error.code, ErrorCode::IntersectingConstraints);
