@@ -8,6 +8,7 @@ import Part
 
 import mesher
 from MesherWorkbench import make_mesh
+from MesherWorkbench.tools.inspection import MeshArrays, boundary_of, mesh_feature_of
 from MesherWorkbench.tools.mesh_tool import MeshTool
 
 
@@ -262,3 +263,39 @@ class Solids(_DocumentTest):
         with self.assertRaises(mesher.MeshingError) as refused:
             make_mesh(shell, size=0.5, dimension=3)
         self.assertIn("dimension=2", str(refused.exception))
+
+
+class Inspection(_DocumentTest):
+    def _solid(self):
+        return make_mesh(self._feature(Part.makeCylinder(5, 20)), size=2.0, curvature=12)
+
+    def test_boundary_of_all_elements_is_the_surface(self):
+        mesh = self._solid()
+        arrays = MeshArrays(mesh.FemMesh)
+        self.assertEqual(len(boundary_of(arrays.elements)), mesh.FemMesh.TriangleCount)
+
+    def test_both_sides_of_a_cut_are_closed_and_all_there_is(self):
+        arrays = MeshArrays(self._solid().FemMesh)
+        near, far = arrays.beyond(2, 0.4), arrays.beyond(2, 0.6, is_flipped=True)
+        self.assertEqual(len(near) + len(far), len(arrays.elements))
+        for side in (near, far):
+            part = mesh_feature_of(arrays.nodes, boundary_of(side))
+            self.assertTrue(part.isSolid())
+            self.assertGreater(part.Volume, 0.0)
+
+    def test_worst_elements_have_the_angles_of_the_report(self):
+        mesh = self._solid()
+        worst = MeshArrays(mesh.FemMesh).worst(10**9)
+        self.assertEqual(len(worst), mesh.ElementCount)
+        self.assertAlmostEqual(min(smallest for _, smallest, _ in worst), mesh.SmallestAngle, places=6)
+        self.assertAlmostEqual(max(largest for _, _, largest in worst), mesh.LargestAngle, places=6)
+        badness = [min(smallest, 180.0 - largest) for _, smallest, largest in worst]
+        self.assertEqual(badness, sorted(badness))
+
+    def test_faces(self):
+        mesh = make_mesh(self._feature(Part.makePlane(10, 5)), size=1.0, dimension=2)
+        arrays = MeshArrays(mesh.FemMesh)
+        self.assertFalse(arrays.is_volume)
+        self.assertAlmostEqual(min(arrays.angles()[0]), mesh.SmallestAngle, places=6)
+        self.assertLess(0, len(arrays.beyond(0, 0.5)))
+        self.assertLess(len(arrays.beyond(0, 0.5)), mesh.ElementCount)

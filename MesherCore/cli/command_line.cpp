@@ -73,7 +73,7 @@ po::options_description outputOptions()
         "JSON file with Gauss points on the exact boundary curves");
     add("boundary-order", po::value<std::string>(), "order of accuracy they are for, 2 to 4 (default 4)");
     add("check", po::bool_switch(), "check the mesh as a whole before it is written");
-    add("keep-partial", po::bool_switch(), "write what there is when a limit ends the run");
+    add("keep-partial", po::bool_switch(), "write what there is of a mesh when the run ends early or fails");
     return options;
 }
 

@@ -127,8 +127,7 @@ private:
         boundary_ = std::move(outcome.curvedBoundary);
         if (mesh_) mesh_->title = command_.model.filename().string();
         const bool isWhole = report_.status == MeshReport::Status::Done;
-        const bool isPartial =
-            report_.stopReason != StopReason::Done && report_.status == MeshReport::Status::Failed;
+        const bool isPartial = report_.status == MeshReport::Status::Failed;
         return mesh_.has_value() && (isWhole || (isPartial && command_.keepsPartial));
     }
 
@@ -190,6 +189,8 @@ private:
         console_.out << std::fixed << std::setprecision(2) << mesh_->nodes.size() << " nodes, ";
         if (report_.tetQuality) {
             tellElements(mesh_->tets.size(), "tetrahedra, dihedral angles", report_.tetQuality->dihedral);
+            if (const auto& before = report_.anglesBeforeImprovement)
+                console_.out << "before improvement " << before->least << " to " << before->largest << ", ";
         } else if (report_.triangleQuality) {
             tellElements(mesh_->triangles.size(), "triangles, angles", report_.triangleQuality->angle);
         }

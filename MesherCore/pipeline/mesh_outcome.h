@@ -10,7 +10,8 @@ namespace mesher {
 
 struct MeshOutcome
 {
-    /// What was meshed; also when a limit ended the run, but not when it failed.
+    /// What was meshed. Of a run that did not end as it should, what there is: the mesh so far when a limit ended it, of solids
+    /// without a volume mesh the surface.
     std::optional<ClassifiedMesh> mesh;
     /// Of plane meshes.
     std::optional<CurvedBoundary> curvedBoundary;

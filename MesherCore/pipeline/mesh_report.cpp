@@ -203,6 +203,10 @@ std::string toJson(const MeshReport& report)
     for (const Error& failure : report.failures) json["failures"].push_back(toJson(failure));
     if (report.tetQuality) {
         json["quality"] = qualityOf(*report.tetQuality, report.options);
+        if (const auto& before = report.anglesBeforeImprovement) {
+            json["quality"]["before_improvement"] = {{"min_dihedral", before->least},
+                                                     {"max_dihedral", before->largest}};
+        }
     } else if (report.triangleQuality) {
         json["quality"] = qualityOf(*report.triangleQuality, report.options);
     }

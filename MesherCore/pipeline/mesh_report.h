@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/stop_reason.h"
+#include "improvement/improve_mesh.h"
 #include "mesh/classified_mesh.h"
 #include "pipeline/mesh_options.h"
 #include "quality/quality_statistics.h"
@@ -44,6 +45,7 @@ struct MeshReport
     std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< by stage, in its order
     std::vector<std::pair<std::string, double>> seconds;        ///< by stage, in its order
     std::optional<TetQuality> tetQuality;
+    std::optional<DihedralRange> anglesBeforeImprovement;
     std::optional<TriangleQuality> triangleQuality;
     std::optional<double> modelArea;  ///< model units squared
     std::optional<double> modelVolume;

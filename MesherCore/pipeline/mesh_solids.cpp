@@ -6,10 +6,12 @@
 #include "pipeline/classify_solids.h"
 #include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
+#include "pipeline/improve_solids.h"
 #include "pipeline/left_elements.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_sizes.h"
+#include "pipeline/wall_estimate.h"
 #include "refinement/refine_volume.h"
 #include "surface_sampling/sample_surface.h"
 #include "tetrahedralization/tetrahedralize.h"
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,7 +55,7 @@ public:
     }
 
     /// The first half, after which solids can be compared with those of other groups.
-    bool sampleSurfaces() { return isSampled_ = findSides() && sample(); }
+    bool sampleSurfaces() { return isSampled_ = findSides() && sample() && boundsVolumes(); }
 
     [[nodiscard]] const SurfaceMesh* surface() const
     {
@@ -62,8 +65,18 @@ public:
 
     MeshOutcome meshVolumes()
     {
-        if (isSampled_ && tetrahedralizeSample() && refine())
+        if (isSampled_ && canFillWalls() && tetrahedralizeSample() && refine()) {
             outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
+            if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
+        }
+        return outcome_.mesh ? std::move(outcome_) : keepSurface();
+    }
+
+    /// What there is of a run that goes no further.
+    MeshOutcome keepSurface()
+    {
+        if (sample_.surface && report().status != MeshReport::Status::Cancelled)
+            outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
         return std::move(outcome_);
     }
 
@@ -115,6 +128,13 @@ private:
         return mayGoOn(sample_.stopReason);
     }
 
+    /// Facets that intersect bound nothing; which faces they are on is known here.
+    bool boundsVolumes()
+    {
+        for (const Error& error : sample_.counts.certificate.errors) fail(report(), error);
+        return sample_.counts.certificate.errors.empty();
+    }
+
     void tellSample()
     {
         const SurfaceSamplingCounts& counts = sample_.counts;
@@ -123,6 +143,19 @@ private:
         add("sample_vertices", counts.vertices);
         add("sample_facets", counts.facets);
         add("sample_segments", counts.segments);
+    }
+
+    bool canFillWalls()
+    {
+        const WallEstimate walls = estimateWalls(sample_.surface->mesh(), sides_);
+        if (walls.elements <= mostExpectedElements(options_)) return true;
+        std::ostringstream message;
+        message.precision(3);
+        message << "the wall behind it is " << walls.thickness << " thick, and about " << walls.elements
+                << " elements would be needed in walls so thin, more than --max-elements "
+                << options_.maxElements;
+        return failed({ErrorCode::OutOfRange, message.str(), nameOf(walls.face), walls.place,
+                       "thicken the wall, mesh a face of it with --dimension 2, or raise --max-elements"});
     }
 
     bool tetrahedralizeSample()
@@ -195,6 +228,41 @@ private:
         add("tets_left", refined.left.size());
         add("tets_left_beside_small_angles", refined.leftForSmallAngles);
         tellLeftElements(refined, report());
+    }
+
+    void improve()
+    {
+        ImprovementOptions improvement;
+        improvement.maxSag = options_.sag;
+        improvement.limits.maxTime = timeLeft();
+        const Clock::time_point start = Clock::now();
+        const Result<SolidImprovement> improved =
+            improveSolids(*outcome_.mesh, model_, improvement, context_);
+        addSeconds("improvement", start);
+        if (!improved) {
+            failed(improved.error());
+            return;
+        }
+        tellImprovement(improved->improvement);
+        add("frozen_boundaries", improved->isBoundaryFrozen ? 1 : 0);
+        const StopReason reason = improved->improvement.stopReason;
+        tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+    }
+
+    void tellImprovement(const Improvement& improved)
+    {
+        const ImprovementCounts& counts = improved.counts;
+        report().anglesBeforeImprovement = improved.anglesBefore;
+        add("bad_tets_before_improvement", counts.badBefore);
+        add("bad_tets_after_improvement", counts.badAfter);
+        add("edge_removals", counts.edgeRemovals);
+        add("face_removals", counts.faceRemovals);
+        add("boundary_swaps", counts.boundarySwaps);
+        add("contractions", counts.contractions);
+        add("improvement_insertions", counts.insertions);
+        add("inner_moves", counts.innerMoves);
+        add("face_moves", counts.faceMoves);
+        add("edge_moves", counts.edgeMoves);
     }
 
     bool mayGoOn(StopReason reason)
@@ -306,6 +374,11 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
 {
     for (const auto& [name, count] : part.counts) addTo(whole.counts, name, count);
     for (const auto& [name, spent] : part.seconds) addTo(whole.seconds, name, spent);
+    if (const auto& angles = part.anglesBeforeImprovement) {
+        if (!whole.anglesBeforeImprovement) whole.anglesBeforeImprovement = DihedralRange{};
+        DihedralRange& all = *whole.anglesBeforeImprovement;
+        all = {std::min(all.least, angles->least), std::max(all.largest, angles->largest)};
+    }
     for (Error error : part.failures) {
         error.entity = component.inWhole(error.entity);
         error.message = component.inWhole(error.message);
@@ -328,7 +401,8 @@ void finish(const MeshOptions& options, MeshOutcome& outcome)
                      [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     describeMesh(*outcome.mesh, outcome.report);
-    if (options.isChecked) checkWhole(*outcome.mesh, outcome.report);
+    const bool isWhole = outcome.report.status == MeshReport::Status::Done;
+    if (isWhole && options.isChecked) checkWhole(*outcome.mesh, outcome.report);
 }
 
 std::vector<SampledComponent> sampledComponents(const std::vector<ModelComponent>& components,
@@ -373,17 +447,17 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     std::deque<SolidRun> runs;
     for (const ModelComponent& component : components)
         runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
-    if (!tellContacts(sampledComponents(components, runs), whole.report)) return whole;
+    const bool areFree = tellContacts(sampledComponents(components, runs), whole.report);
     ClassifiedMesh mesh;
-    bool isWhole = true;
     for (std::size_t i = 0; i < components.size(); ++i) {
-        const MeshOutcome part = runs[i].meshVolumes();
+        whole.report.warnings.insert(whole.report.warnings.end(), components[i].notes.begin(),
+                                     components[i].notes.end());
+        const MeshOutcome part = areFree ? runs[i].meshVolumes() : runs[i].keepSurface();
         addReport(components[i], part.report, whole.report);
         if (part.mesh) appendComponent(components[i], *part.mesh, mesh);
-        isWhole = isWhole && part.mesh.has_value();
         if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     }
-    if (isWhole) whole.mesh = std::move(mesh);
+    if (!mesh.nodes.empty()) whole.mesh = std::move(mesh);
     finish(options, whole);
     return whole;
 }

@@ -16,6 +16,7 @@ from ..tools.mesh_tool import MeshTool
 from ..tools.meshed_shape import first_size
 from ..viewproviders.view_mesh import show_mesh_instead_of_part, show_part_instead_of_mesh
 from . import texts
+from .document_watch import DocumentWatch
 
 try:
     from shiboken2 import wrapInstance
@@ -30,28 +31,11 @@ _NUMBERS = (("curvature", "MeshSizeFromCurvature"), ("improve", "OptimizeStd"))
 _LOCAL_KINDS = ("Face", "Edge", "Vertex")
 
 
-class _DocumentWatch:
-    """Tells the panel that its document is being closed."""
-
-    def __init__(self, panel, name):
-        self._panel = panel
-        self._name = name
-        FreeCAD.addDocumentObserver(self)
-
-    def slotDeletedDocument(self, document):
-        if document.Name == self._name:
-            # Behind the closing, which is in the middle of its work.
-            QtCore.QTimer.singleShot(0, self._panel.leave)
-
-    def end(self):
-        FreeCAD.removeDocumentObserver(self)
-
-
 class TaskMesh:
     def __init__(self, obj, isNew=False):
         self._obj = obj
         self._document_name = obj.Document.Name
-        self._watch = _DocumentWatch(self, self._document_name)
+        self._watch = DocumentWatch(self._document_name, self.leave)
         self._is_open = True
         self._is_new = isNew
         self._tool = None

@@ -28,6 +28,7 @@ REFUSED = {
     "without_height": (r"Face1 and Face2 at \(.*\): .+; .+", "Face1 and Face2"),
     "absurdly_small": (r"1\.73e-06 mm across, and sizes from 1e-05 to 1e\+09 can be meshed; scale the model", "model"),
     "absurdly_large": (r"1\.73e\+60 mm across, .*; scale the model", "model"),
+    "thin_plate": (r"Face[56] at \(.*\): the wall behind it is 0\.001 thick, and about .*; thicken the wall", "Face[56]"),
     **{name: (r"Solid1 and Solid2 at \(.*\): the solids overlap; cut one from the other or fuse them", "Solid1 and Solid2")
        for name in ("crossing_boxes", "same_box_twice", "ball_in_box", "box_in_box_on_floor", "bar_through_box")},
 }
