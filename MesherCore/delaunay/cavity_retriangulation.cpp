@@ -1,16 +1,13 @@
 #include "delaunay/cavity_retriangulation.h"
 
+#include "delaunay/deepest_point.h"
 #include "predicates/orient3d.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace mesher {
 
 namespace {
-
-constexpr int kKernelSteps = 200;
 
 CavityShell::Corners sorted(CavityShell::Corners corner)
 {
@@ -24,13 +21,6 @@ bool isEvenPermutation(const CavityShell::Corners& a, const CavityShell::Corners
         if (a[0] == b[turn] && a[1] == b[(turn + 1) % 3] && a[2] == b[(turn + 2) % 3]) return true;
     }
     return false;
-}
-
-/// Distance of a point from the plane of a face, positive inside.
-double distanceInside(const std::array<Vec3, 3>& face, const Vec3& point)
-{
-    const Vec3 normal = cross(face[1] - face[0], face[2] - face[0]);
-    return dot(normal, point - face[0]) / length(normal);
 }
 
 }  // namespace
@@ -123,43 +113,15 @@ bool CavityRetriangulation::flood(const CavityShell& shell, std::vector<TetCorne
     return true;
 }
 
-/// Ascends the least distance from the planes of the faces, from the middle of the vertices, with steps that shrink.
 bool CavityRetriangulation::findKernelPoint(const CavityShell& shell, Vec3& point) const
 {
     std::vector<std::array<Vec3, 3>> faces;
-    Box3 box;
-    Vec3 sum;
     for (const auto& [key, face] : shell.faces()) {
         const auto& v = face.corner;
         faces.push_back({mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])});
-        for (const Vec3& corner : faces.back()) {
-            box.include(corner);
-            sum = sum + corner;
-        }
     }
     if (faces.empty()) return false;
-    point = (1.0 / (3.0 * static_cast<double>(faces.size()))) * sum;
-    Vec3 best = point;
-    double bestDistance = -std::numeric_limits<double>::infinity();
-    double step = 0.25 * length(box.extent());
-    for (int i = 0; i < kKernelSteps; ++i, step *= 0.95) {
-        double least = std::numeric_limits<double>::infinity();
-        const std::array<Vec3, 3>* nearest = nullptr;
-        for (const auto& face : faces) {
-            const double distance = distanceInside(face, point);
-            if (distance >= least) continue;
-            least = distance;
-            nearest = &face;
-        }
-        if (nearest == nullptr) return false;
-        if (least > bestDistance) {
-            bestDistance = least;
-            best = point;
-        }
-        const Vec3 normal = cross((*nearest)[1] - (*nearest)[0], (*nearest)[2] - (*nearest)[0]);
-        point = point + (step / length(normal)) * normal;
-    }
-    point = best;
+    point = deepestPoint(faces);
     return std::all_of(faces.begin(), faces.end(), [&](const auto& face) {
         return orient3d(face[0], face[1], face[2], point) == Sign::Positive;
     });

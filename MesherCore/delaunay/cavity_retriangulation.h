@@ -47,7 +47,8 @@ public:
                       std::vector<TetCorners>& filling);
     [[nodiscard]] const std::vector<CavityShell::Corners>& missing() const { return missing_; }
 
-    /// A point that sees all faces of the shell from inside, exactly; false if none was found.
+    /// A point that sees all faces of the shell from inside, exactly, as far from them as can be; false if the one that was
+    /// found does not.
     bool findKernelPoint(const CavityShell& shell, Vec3& point) const;
 
 private:

@@ -1,7 +1,7 @@
 #include "delaunay/constrained_flips3d.h"
 
-#include "delaunay/cavity_retriangulation.h"
 #include "delaunay/flips3d.h"
+#include "delaunay/hole_refill.h"
 #include "delaunay/tet_replacement3d.h"
 #include "predicates/insphere.h"
 #include "predicates/orient3d.h"
@@ -16,6 +16,8 @@ namespace {
 
 /// Tetrahedra that are filled anew at once.
 constexpr std::size_t kMaxCavity = 200;
+/// Looked at between two questions to the budget.
+constexpr std::uint32_t kTetsPerCheck = 1u << 16;
 
 }  // namespace
 
@@ -24,7 +26,7 @@ class ConstrainedFlips3d::Work
 public:
     Work(Delaunay3d& delaunay, DelaunayPart part);
 
-    void pushAll();
+    void pushAll(Budget& budget);
     void push(std::span<const TetId> tets);
     void flip(Budget& budget);
     void flipAndFill(Budget& budget);
@@ -44,7 +46,7 @@ private:
     [[nodiscard]] bool isOfPart(TetId tet) const;
     [[nodiscard]] bool isCurrent(const Entry& entry) const;
     void pushIfNotDelaunay(TetFace face);
-    void pushCreated();
+    void pushCreated(const std::vector<TetId>& tets);
     void forgetWaiting();
     void flipQueue(Budget& budget);
     void flipUntilStuck(Budget& budget);
@@ -52,20 +54,14 @@ private:
     [[nodiscard]] std::optional<Flip3d> findFlip44(TetId tet, int edge, VertexId above, VertexId below) const;
 
     bool fillStuckOnes(Budget& budget);
-    bool fillAround(TetFace face);
-    bool enlarge(const CavityShell& shell);
-    bool makeShell(CavityShell& shell, std::vector<VertexId>& inside) const;
-    [[nodiscard]] bool keepsConstraints() const;
 
     Triangulation3d& mesh_;
     const StaticFilter3d& filter_;
     DelaunayPart part_;
     TetReplacement3d replacement_;
-    CavityRetriangulation cavities_;
+    HoleRefill holes_;
     std::deque<Entry> queue_;
     std::vector<Entry> stuck_;
-    std::vector<TetId> tets_;
-    std::vector<TetCorners> filling_;
 };
 
 ConstrainedFlips3d::Work::Work(Delaunay3d& delaunay, DelaunayPart part)
@@ -73,7 +69,7 @@ ConstrainedFlips3d::Work::Work(Delaunay3d& delaunay, DelaunayPart part)
       filter_(delaunay.filter()),
       part_(part),
       replacement_(mesh_),
-      cavities_(mesh_)
+      holes_(mesh_)
 {
 }
 
@@ -83,10 +79,11 @@ bool ConstrainedFlips3d::Work::isOfPart(TetId tet) const
            (part_ == DelaunayPart::Everywhere || mesh_.region(tet) != kExteriorRegion);
 }
 
-void ConstrainedFlips3d::Work::pushAll()
+void ConstrainedFlips3d::Work::pushAll(Budget& budget)
 {
     for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) {
         const TetId tet(i);
+        if (i % kTetsPerCheck == 0 && !budget.allows({mesh_.vertexCount(), mesh_.tetCount()})) return;
         if (!isOfPart(tet)) continue;
         for (int face = 0; face < 4; ++face) {
             if (tet < mesh_.neighbour(tet, face).tet()) pushIfNotDelaunay({tet, face});
@@ -145,10 +142,10 @@ void ConstrainedFlips3d::Work::pushIfNotDelaunay(TetFace face)
     if (isNotDelaunay(face)) queue_.push_back({face, mesh_.generation(face.tet())});
 }
 
-void ConstrainedFlips3d::Work::pushCreated()
+void ConstrainedFlips3d::Work::pushCreated(const std::vector<TetId>& tets)
 {
-    push(replacement_.created());
-    created.insert(created.end(), replacement_.created().begin(), replacement_.created().end());
+    push(tets);
+    created.insert(created.end(), tets.begin(), tets.end());
 }
 
 void ConstrainedFlips3d::Work::flipQueue(Budget& budget)
@@ -165,7 +162,7 @@ void ConstrainedFlips3d::Work::flipQueue(Budget& budget)
         }
         applyFlip(replacement_, *flip);
         ++counts.flips;
-        pushCreated();
+        pushCreated(replacement_.created());
     }
 }
 
@@ -229,85 +226,16 @@ bool ConstrainedFlips3d::Work::fillStuckOnes(Budget& budget)
     for (const Entry& entry : stuck) {
         if (!isCurrent(entry) || !isNotDelaunay(entry.face)) continue;
         if (!budget.allows({mesh_.vertexCount(), mesh_.tetCount()})) return false;
-        if (!fillAround(entry.face)) {
+        const TetId tets[] = {entry.face.tet(), mesh_.neighbour(entry.face).tet()};
+        if (!holes_.refill(tets, VertexId(), kMaxCavity)) {
             stuck_.push_back(entry);
             continue;
         }
         isChanged = true;
         ++counts.cavities;
-        pushCreated();
+        pushCreated(holes_.created());
     }
     return isChanged;
-}
-
-bool ConstrainedFlips3d::Work::fillAround(TetFace face)
-{
-    tets_ = {face.tet(), mesh_.neighbour(face).tet()};
-    while (true) {
-        CavityShell shell;
-        std::vector<VertexId> inside;
-        if (!makeShell(shell, inside)) return false;
-        filling_.clear();
-        if (cavities_.fillDelaunay(shell, inside, filling_)) break;
-        if (cavities_.missing().empty() || !enlarge(shell)) return false;
-    }
-    if (!keepsConstraints()) return false;
-    replacement_.replace(tets_, filling_);
-    return true;
-}
-
-bool ConstrainedFlips3d::Work::enlarge(const CavityShell& shell)
-{
-    for (const auto& key : cavities_.missing()) {
-        const TetFace outer = shell.faces().at(key).outer;
-        if (mesh_.isFaceConstrained(outer) || mesh_.isGhostTet(outer.tet())) return false;
-        if (std::find(tets_.begin(), tets_.end(), outer.tet()) == tets_.end()) tets_.push_back(outer.tet());
-    }
-    return tets_.size() <= kMaxCavity;
-}
-
-/// False if a constrained face lies within.
-bool ConstrainedFlips3d::Work::makeShell(CavityShell& shell, std::vector<VertexId>& inside) const
-{
-    std::vector<VertexId> onShell;
-    for (const TetId tet : tets_) {
-        for (int face = 0; face < 4; ++face) {
-            const TetFace outer = mesh_.neighbour(tet, face);
-            if (std::find(tets_.begin(), tets_.end(), outer.tet()) != tets_.end()) {
-                if (mesh_.isFaceConstrained(outer)) return false;
-                continue;
-            }
-            const auto corner = mesh_.faceVertices({tet, face});
-            if (!shell.add({corner, outer})) return false;
-            onShell.insert(onShell.end(), corner.begin(), corner.end());
-        }
-    }
-    for (const TetId tet : tets_) {
-        for (const VertexId v : mesh_.tet(tet).vertex) {
-            if (std::find(onShell.begin(), onShell.end(), v) == onShell.end() &&
-                std::find(inside.begin(), inside.end(), v) == inside.end()) {
-                inside.push_back(v);
-            }
-        }
-    }
-    return true;
-}
-
-bool ConstrainedFlips3d::Work::keepsConstraints() const
-{
-    for (const TetId tet : tets_) {
-        for (int edge = 0; edge < 6; ++edge) {
-            if (!mesh_.isEdgeConstrained(tet, edge)) continue;
-            const VertexId a = mesh_.vertex(tet, kEdgeSlots[edge][0]);
-            const VertexId b = mesh_.vertex(tet, kEdgeSlots[edge][1]);
-            const bool isKept = std::any_of(filling_.begin(), filling_.end(), [&](const TetCorners& corners) {
-                return std::find(corners.begin(), corners.end(), a) != corners.end() &&
-                       std::find(corners.begin(), corners.end(), b) != corners.end();
-            });
-            if (!isKept) return false;
-        }
-    }
-    return true;
 }
 
 ConstrainedFlips3d::ConstrainedFlips3d(Delaunay3d& delaunay, DelaunayPart part)
@@ -317,7 +245,7 @@ ConstrainedFlips3d::ConstrainedFlips3d(Delaunay3d& delaunay, DelaunayPart part)
 
 ConstrainedFlips3d::~ConstrainedFlips3d() = default;
 
-void ConstrainedFlips3d::pushAll() { work_->pushAll(); }
+void ConstrainedFlips3d::pushAll(Budget& budget) { work_->pushAll(budget); }
 void ConstrainedFlips3d::push(std::span<const TetId> tets) { work_->push(tets); }
 void ConstrainedFlips3d::flip(Budget& budget) { work_->flip(budget); }
 void ConstrainedFlips3d::flipAndFill(Budget& budget) { work_->flipAndFill(budget); }

@@ -30,7 +30,7 @@ public:
     ~ConstrainedFlips3d();
 
     /// Queues the faces that are not Delaunay: all of the part, or those of live tetrahedra among some.
-    void pushAll();
+    void pushAll(Budget& budget);
     void push(std::span<const TetId> tets);
 
     /// Flips until nothing waits or all that waits is stuck.

@@ -84,15 +84,18 @@ void Triangulation3d::freeTet(TetId tet)
     freeTets_.push_back(tet);
 }
 
-void Triangulation3d::collectStar(VertexId vertex, std::vector<TetId>& star) const
+/// Lists the tetrahedra at a vertex until one is what is looked for; that one, or invalid.
+template <class Predicate>
+TetId Triangulation3d::walkStar(VertexId vertex, std::vector<TetId>& star, const Predicate& isSought) const
 {
     star.clear();
     const TetId start = incidentTet_[vertex];
-    if (!start.isValid()) return;
+    if (!start.isValid()) return {};
     IdSet seen;
     seen.insert(start.value);
     star.push_back(start);
     for (std::size_t next = 0; next < star.size(); ++next) {
+        if (isSought(star[next])) return star[next];
         const TetRecord& record = tets_[star[next]];
         for (unsigned face = 0; face < 4; ++face) {
             if (record.vertex[face] == vertex) continue;
@@ -100,28 +103,28 @@ void Triangulation3d::collectStar(VertexId vertex, std::vector<TetId>& star) con
             if (seen.insert(other.value)) star.push_back(other);
         }
     }
+    return {};
+}
+
+void Triangulation3d::collectStar(VertexId vertex, std::vector<TetId>& star) const
+{
+    walkStar(vertex, star, [](TetId) { return false; });
 }
 
 TetId Triangulation3d::findEdge(VertexId a, VertexId b) const
 {
     if (isGhost(a)) std::swap(a, b);
     std::vector<TetId> star;
-    collectStar(a, star);
-    const auto found = std::find_if(star.begin(), star.end(), [&](TetId t) { return slotOf(t, b) >= 0; });
-    return found == star.end() ? TetId() : *found;
+    return walkStar(a, star, [&](TetId t) { return slotOf(t, b) >= 0; });
 }
 
 TetFace Triangulation3d::findFace(VertexId a, VertexId b, VertexId c) const
 {
     if (isGhost(a)) std::swap(a, c);
     std::vector<TetId> star;
-    collectStar(a, star);
-    for (const TetId t : star) {
-        const int slotB = slotOf(t, b);
-        const int slotC = slotOf(t, c);
-        if (slotB >= 0 && slotC >= 0) return {t, 6 - slotOf(t, a) - slotB - slotC};
-    }
-    return {};
+    const TetId found = walkStar(a, star, [&](TetId t) { return slotOf(t, b) >= 0 && slotOf(t, c) >= 0; });
+    if (!found.isValid()) return {};
+    return {found, 6 - slotOf(found, a) - slotOf(found, b) - slotOf(found, c)};
 }
 
 void Triangulation3d::collectEdgeRing(TetId start, VertexId a, VertexId b, std::vector<TetId>& ring) const

@@ -214,6 +214,8 @@ public:
     [[nodiscard]] const TetState* stateData() const { return states_.data(); }
 
 private:
+    template <class Predicate>
+    TetId walkStar(VertexId vertex, std::vector<TetId>& star, const Predicate& isSought) const;
     void growTets();
 
     IdVector<VertexId, VertexRecord> vertices_;

@@ -66,6 +66,15 @@ std::uint64_t countMissingVertices(const ClassifiedMesh& mesh, const BrepModel& 
         if (node.entity.dimension == 0 && node.entity.index < isWanted.size())
             isWanted[node.entity.index] = 0;
     }
+    // A vertex may be represented by another one that is at the same place.
+    for (std::uint32_t v = 0; v < isWanted.size(); ++v) {
+        if (isWanted[v] == 0) continue;
+        const Vec3& place = model.vertices[BrepVertexId(v)].position;
+        const bool isThere = std::any_of(mesh.nodes.begin(), mesh.nodes.end(), [&](const MeshNode& node) {
+            return node.entity.dimension == 0 && length(node.position - place) <= kTolerance;
+        });
+        if (isThere) isWanted[v] = 0;
+    }
     return static_cast<std::uint64_t>(std::count(isWanted.begin(), isWanted.end(), 1));
 }
 

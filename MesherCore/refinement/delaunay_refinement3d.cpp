@@ -128,7 +128,7 @@ private:
     bool flipAll()
     {
         bool isChanged = expelSlivers();
-        state_.flips.pushAll();
+        state_.flips.pushAll(state_.flipBudget);
         do {
             state_.flips.clearCreated();
             state_.flips.flipAndFill(state_.flipBudget);

@@ -7,20 +7,25 @@ namespace mesher {
 namespace {
 
 constexpr std::uint64_t kInsertedBesides = 1000;
+constexpr std::uint64_t kTrialsPerReport = 16;
 
 }  // namespace
 
 ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints,
                                        const TetrahedralizationOptions& options, Budget& budget,
-                                       Tetrahedralization& result)
+                                       Tetrahedralization& result, RunContext& context)
     : constraints_(constraints),
       options_(options),
       budget_(budget),
       result_(result),
+      context_(context),
       flips_(constraints.mesh()),
-      segments_(constraints, flips_, options.flipDepth),
+      segments_(constraints, flips_, options.flipDepth, result.counts.attempts),
       facets_(constraints, flips_),
       splits_(constraints),
+      lifts_(constraints),
+      remover_(constraints.tets()),
+      expected_(constraints.missingEdges.size() + constraints.missingFacets.size() + 1),
       maxInserted_(kInsertedBesides +
                    static_cast<std::uint64_t>(options.maxInsertedShare * result.counts.nodes)),
       // Exact points may not be where they would help, so half of the allowance is kept for those that are.
@@ -31,11 +36,16 @@ ConstraintRecovery::ConstraintRecovery(SurfaceConstraints& constraints,
 bool ConstraintRecovery::mayInsert() const
 {
     const TetrahedralizationCounts& counts = result_.counts;
-    return std::uint64_t{counts.exactSplits} + counts.edgeSteiner + counts.facetSteiner < maxInserted_;
+    const TemporarySplits* temporary = constraints_.temporarySplits();
+    return counts.exactSplits + (temporary == nullptr ? 0 : temporary->made().size()) < maxInserted_;
 }
 
 bool ConstraintRecovery::mayGoOn()
 {
+    if (tried_++ % kTrialsPerReport == 0) {
+        const auto tried = static_cast<double>(tried_);
+        context_.reportProgress("recovery", tried / (tried + static_cast<double>(expected_)));
+    }
     return budget_.allows({constraints_.mesh().vertexCount(), constraints_.mesh().tetCount()});
 }
 
@@ -48,11 +58,53 @@ Result<void> ConstraintRecovery::run()
         if (!result_.failures.empty() || budget_.exhausted()) break;
     }
     failAll();
+    if (result_.failures.empty()) {
+        if (Result<void> left = leaveTemporarySplits(); !left) result_.failures.push_back(left.error());
+    }
     result_.tets.nodeOf.resize(constraints_.mesh().vertexLimit());
     result_.counts.recoveryFlips = flips_.flips();
     result_.stopReason =
         budget_.stopReason(result_.failures.empty() ? StopReason::Done : StopReason::CannotImprove);
     return {};
+}
+
+/// Takes back what was split off the exact geometry, the last one first.
+Result<void> ConstraintRecovery::leaveTemporarySplits()
+{
+    const TemporarySplits* temporary = constraints_.temporarySplits();
+    if (temporary == nullptr) return {};
+    TetrahedralizationCounts& counts = result_.counts;
+    const auto& made = temporary->made();
+    counts.temporarySplits = static_cast<std::uint32_t>(made.size());
+    std::size_t left = made.size();
+    // One that is taken back may make way for another.
+    for (std::size_t before = left + 1; left > 0 && left < before;) {
+        before = left;
+        for (std::size_t i = made.size(); i > 0; --i) {
+            if (!mayGoOn()) return {};
+            if (made[i - 1].isTakenBack || !temporary->mayTakeBack(i - 1) || !lift(made[i - 1])) continue;
+            constraints_.takeBack(i - 1);
+            --left;
+        }
+    }
+    for (const TemporarySplits::Made& split : made) {
+        if (split.isTakenBack) continue;
+        const bool isEdge = split.split.segment.isValid() || split.split.removed.size() > 1;
+        ++(isEdge ? counts.edgeSteiner : counts.facetSteiner);
+    }
+    return constraints_.endTemporarySplits();
+}
+
+bool ConstraintRecovery::lift(const TemporarySplits::Made& made)
+{
+    if (!lifts_.lift(made)) {
+        // Free vertices at a distance of hardly more than rounding may be what blocks.
+        bool isRemoved = false;
+        for (const VertexId vertex : lifts_.freeNeighbours()) isRemoved |= remover_.remove(vertex);
+        if (!isRemoved || !lifts_.lift(made)) return false;
+    }
+    result_.counts.starVertices += lifts_.addedVertices();
+    return true;
 }
 
 // --- edges
@@ -108,12 +160,10 @@ Result<bool> ConstraintRecovery::recoverEdge(const EdgeKey& edge, int depth)
             const VertexId vertex = segments_.obstacle().vertex[0];
             if (!clearVertex(vertex))
                 return intersection(constraints_.nameOfEdge(edge.first, edge.second), segments_.obstacle());
-            if (constraints_.mesh().isVertexAlive(vertex)) {
-                splits_.splitEdgeAt(edge.first, edge.second, vertex);
-                ++result_.counts.edgeSteiner;
-                return true;
-            }
-            return recoverEdge(edge, depth);
+            if (!constraints_.mesh().isVertexAlive(vertex)) return recoverEdge(edge, depth);
+            if (constraints_.temporarySplits() == nullptr) return false;
+            splits_.splitEdgeAt(edge.first, edge.second, vertex);
+            return true;
         }
         case RecoveryStatus::Intersection: break;
     }
@@ -136,15 +186,18 @@ bool ConstraintRecovery::splitEdge(const EdgeKey& edge)
 {
     TetrahedralizationCounts& counts = result_.counts;
     if (!mayInsert()) return false;
-    if (counts.exactSplits < maxExact_ && splits_.splitEdgeExactly(edge.first, edge.second)) {
+    const bool isExact = constraints_.temporarySplits() == nullptr && counts.exactSplits < maxExact_;
+    if (isExact && splits_.splitEdgeExactly(edge.first, edge.second)) {
         ++counts.exactSplits;
         // A new point on the face need not part the edge.
         if (isWanted(edge)) constraints_.missingEdges.push_back(edge);
         return true;
     }
-    if (!splits_.splitEdgeAtCrossing(edge.first, edge.second, segments_.crossings())) return false;
-    ++counts.edgeSteiner;
-    return true;
+    if (constraints_.startTemporarySplits()) {
+        constraints_.missingEdges.push_back(edge);
+        return true;
+    }
+    return splits_.splitEdgeAtCrossing(edge.first, edge.second, segments_.crossings());
 }
 
 // --- facets
@@ -215,12 +268,10 @@ Result<bool> ConstraintRecovery::recoverFacet(FacetId facet, int depth, FacetEff
             const VertexId vertex = facets_.obstacle().vertex[0];
             if (!clearVertex(vertex))
                 return intersection(constraints_.nameOfFacet(facet), facets_.obstacle());
-            if (constraints_.mesh().isVertexAlive(vertex)) {
-                splits_.splitFacetAt(facet, vertex);
-                ++counts.facetSteiner;
-                return true;
-            }
-            return recoverFacet(facet, depth, effort);
+            if (!constraints_.mesh().isVertexAlive(vertex)) return recoverFacet(facet, depth, effort);
+            if (constraints_.temporarySplits() == nullptr) return false;
+            splits_.splitFacetAt(facet, vertex);
+            return true;
         }
         case RecoveryStatus::Intersection: break;
     }
@@ -235,21 +286,24 @@ bool ConstraintRecovery::splitFacet(FacetId facet)
 {
     TetrahedralizationCounts& counts = result_.counts;
     if (!mayInsert()) return false;
-    if (counts.exactSplits < maxExact_ && splits_.splitFacetExactly(facet)) {
+    const bool isExact = constraints_.temporarySplits() == nullptr && counts.exactSplits < maxExact_;
+    if (isExact && splits_.splitFacetExactly(facet)) {
         ++counts.exactSplits;
         if (constraints_.surface().facets[facet].isAlive()) constraints_.missingFacets.push_back(facet);
         return true;
     }
-    if (!splits_.splitFacetAtCrossing(facet, facets_.crossing())) return false;
-    ++counts.facetSteiner;
-    return true;
+    if (constraints_.startTemporarySplits()) {
+        constraints_.missingFacets.push_back(facet);
+        return true;
+    }
+    return splits_.splitFacetAtCrossing(facet, facets_.crossing());
 }
 
 /// Facets of two curved faces may cross where the faces do not: then the one in the way is refined on its face.
 bool ConstraintRecovery::splitPierced(const RecoveryObstacle& obstacle)
 {
     TetrahedralizationCounts& counts = result_.counts;
-    if (counts.exactSplits >= maxExact_) return false;
+    if (constraints_.temporarySplits() != nullptr || counts.exactSplits >= maxExact_) return false;
     const auto& v = obstacle.vertex;
     bool isSplit = false;
     if (v[2].isValid()) {

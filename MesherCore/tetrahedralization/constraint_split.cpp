@@ -187,7 +187,6 @@ bool ConstraintSplit::splitEdgeAtCrossing(VertexId a, VertexId b, const std::vec
 {
     Triangulation3d& mesh = constraints_.mesh();
     const SurfaceSplit halved = describeEdgeSplit(a, b, 0.5 * (mesh.position(a) + mesh.position(b)));
-    if (!constraints_.splitter().accepts(halved)) return false;
     const std::size_t middle = crossings.size() / 2;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const std::size_t offset = (i + 1) / 2;
@@ -216,7 +215,6 @@ bool ConstraintSplit::splitFacetAtCrossing(FacetId facet, const FacetCrossing& c
     const Vec3 centre =
         (1.0 / 3.0) * (mesh.position(corner[0]) + mesh.position(corner[1]) + mesh.position(corner[2]));
     const SurfaceSplit central = describeFacetSplit(facet, centre);
-    if (!constraints_.splitter().accepts(central)) return false;
     std::vector<std::pair<double, Vec3>> points;
     std::vector<std::size_t> order;
     for (const auto& edge : crossing.edges) {

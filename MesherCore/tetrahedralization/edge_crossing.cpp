@@ -3,6 +3,7 @@
 #include "predicates/orient3d.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mesher {
 
@@ -105,6 +106,13 @@ void EdgeCrossings::find(VertexId a, VertexId b, std::vector<EdgeCrossing>& cros
     }
 }
 
+double clampedShare(double part, double whole)
+{
+    // Rounding may leave nothing of a line that is nearly in the plane that it crosses.
+    const double share = part / whole;
+    return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.5;
+}
+
 Vec3 crossingPoint(const Triangulation3d& mesh, VertexId a, VertexId b, const EdgeCrossing& crossing)
 {
     const Vec3 from = mesh.position(a);
@@ -119,8 +127,7 @@ Vec3 crossingPoint(const Triangulation3d& mesh, VertexId a, VertexId b, const Ed
         // The plane that has the edge and is as square to the line as can be.
         normal = cross(side, cross(direction, side));
     }
-    const double along = dot(normal, first - from) / dot(normal, direction);
-    return from + std::clamp(along, 0.0, 1.0) * direction;
+    return from + clampedShare(dot(normal, first - from), dot(normal, direction)) * direction;
 }
 
 }  // namespace mesher

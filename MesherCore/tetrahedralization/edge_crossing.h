@@ -52,6 +52,9 @@ private:
     std::vector<TetId> tets_;
 };
 
+/// The share of `part` in `whole`, from 0 to 1; one half if these do not say.
+[[nodiscard]] double clampedShare(double part, double whole);
+
 /// The point where the line from `a` to `b` passes the crossing, rounded.
 [[nodiscard]] Vec3 crossingPoint(const Triangulation3d& mesh, VertexId a, VertexId b,
                                  const EdgeCrossing& crossing);

@@ -1,5 +1,6 @@
 #include "tetrahedralization/facet_recovery.h"
 
+#include "delaunay/hole_refill.h"
 #include "predicates/orient3d.h"
 
 #include <algorithm>
@@ -12,12 +13,6 @@ constexpr std::uint32_t kTrialsPerDepth[] = {16, 60, 300, 1000};
 /// Tetrahedra that a pair of cavities may grow to.
 constexpr std::size_t kMaxCavity = 400;
 
-bool isSameEdge(const TetCorners& tet, VertexId a, VertexId b)
-{
-    return std::find(tet.begin(), tet.end(), a) != tet.end() &&
-           std::find(tet.begin(), tet.end(), b) != tet.end();
-}
-
 }  // namespace
 
 Vec3 facetCrossingPoint(const Triangulation3d& mesh, const std::array<VertexId, 3>& facet,
@@ -27,8 +22,7 @@ Vec3 facetCrossingPoint(const Triangulation3d& mesh, const std::array<VertexId, 
     const Vec3 normal = cross(mesh.position(facet[1]) - corner, mesh.position(facet[2]) - corner);
     const Vec3 from = mesh.position(edge[0]);
     const Vec3 direction = mesh.position(edge[1]) - from;
-    const double along = dot(normal, corner - from) / dot(normal, direction);
-    return from + std::clamp(along, 0.0, 1.0) * direction;
+    return from + clampedShare(dot(normal, corner - from), dot(normal, direction)) * direction;
 }
 
 RecoveryStatus FacetRecovery::findObstacle()
@@ -93,7 +87,7 @@ bool FacetRecovery::removeCrossingEdges(int depth)
         flips_.allowTrials(kTrialsPerDepth[depth]);
         for (const auto& edge : found_.edges) {
             const std::size_t mark = flips_.mark();
-            if (!flips_.removeEdge(edge[0], edge[1], depth, measure)) continue;
+            if (!flips_.removeEdge(edge[0], edge[1], TetId(), depth, measure)) continue;
             crossings_.find(facet_, trial_);
             if (trial_.edges.size() < found_.edges.size()) {
                 isImproved = true;
@@ -211,23 +205,13 @@ bool FacetRecovery::fill(Side& side, bool& mayGrow)
 bool FacetRecovery::keepsConstraints() const
 {
     const Triangulation3d& mesh = std::as_const(constraints_).mesh();
-    for (const TetId tet : tets_) {
-        for (int edge = 0; edge < 6; ++edge) {
-            if (!mesh.isEdgeConstrained(tet, edge)) continue;
-            const VertexId a = mesh.vertex(tet, kEdgeSlots[edge][0]);
-            const VertexId b = mesh.vertex(tet, kEdgeSlots[edge][1]);
-            const bool isKept = std::any_of(sides_.begin(), sides_.end(), [&](const Side& side) {
-                return std::any_of(side.filling.begin(), side.filling.end(),
-                                   [&](const TetCorners& corners) { return isSameEdge(corners, a, b); });
-            });
-            if (!isKept) return false;
-        }
-    }
+    std::vector<TetCorners> after = sides_[0].filling;
+    after.insert(after.end(), sides_[1].filling.begin(), sides_[1].filling.end());
+    if (!keepsConstrainedEdges(mesh, tets_, after)) return false;
     return std::all_of(innerFacets_.begin(), innerFacets_.end(), [&](const CavityShell::Corners& corner) {
-        return std::any_of(sides_.begin(), sides_.end(), [&](const Side& side) {
-            return std::any_of(side.filling.begin(), side.filling.end(), [&](const TetCorners& tet) {
-                return isSameEdge(tet, corner[0], corner[1]) && isSameEdge(tet, corner[1], corner[2]);
-            });
+        return std::any_of(after.begin(), after.end(), [&](const TetCorners& tet) {
+            return std::all_of(corner.begin(), corner.end(),
+                               [&](VertexId v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); });
         });
     });
 }

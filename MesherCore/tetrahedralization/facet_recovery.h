@@ -1,6 +1,7 @@
 #pragma once
 
 #include "delaunay/cavity_retriangulation.h"
+#include "tetrahedralization/edge_crossing.h"
 #include "tetrahedralization/facet_crossing.h"
 #include "tetrahedralization/flip_search.h"
 #include "tetrahedralization/segment_recovery.h"

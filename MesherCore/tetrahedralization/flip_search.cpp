@@ -79,9 +79,18 @@ bool FlipSearch::shrinkRing(VertexId a, VertexId b)
     return false;
 }
 
-bool FlipSearch::removeRing(VertexId a, VertexId b, const TetMeasure& measure)
+/// Looks at the likely tetrahedra first: stars may be large.
+TetId FlipSearch::findEdge(VertexId a, VertexId b, std::span<const TetId> likely) const
 {
-    const TetId tet = mesh_.findEdge(a, b);
+    const auto found = std::find_if(likely.begin(), likely.end(), [&](TetId tet) {
+        return mesh_.isAlive(tet) && mesh_.slotOf(tet, a) >= 0 && mesh_.slotOf(tet, b) >= 0;
+    });
+    return found != likely.end() ? *found : mesh_.findEdge(a, b);
+}
+
+bool FlipSearch::removeRing(VertexId a, VertexId b, std::span<const TetId> likely, const TetMeasure& measure)
+{
+    const TetId tet = findEdge(a, b, likely);
     if (!tet.isValid()) return true;
     const auto flip = evaluateEdgeRemoval(mesh_, tet, edgeOf(mesh_, tet, a, b), measure);
     if (!flip) return false;
@@ -89,9 +98,9 @@ bool FlipSearch::removeRing(VertexId a, VertexId b, const TetMeasure& measure)
     return true;
 }
 
-bool FlipSearch::removeEdge(VertexId a, VertexId b, int depth, const TetMeasure& measure)
+bool FlipSearch::removeEdge(VertexId a, VertexId b, TetId at, int depth, const TetMeasure& measure)
 {
-    TetId tet = mesh_.findEdge(a, b);
+    const TetId tet = at.isValid() ? at : mesh_.findEdge(a, b);
     if (!tet.isValid()) return true;
     if (trials_ == 0 || mesh_.isEdgeConstrained(tet, edgeOf(mesh_, tet, a, b))) return false;
     --trials_;
@@ -108,7 +117,7 @@ bool FlipSearch::removeEdge(VertexId a, VertexId b, int depth, const TetMeasure&
     for (std::size_t size = ring.size(); size > kMaxEdgeRing; --size) {
         if (!shrinkRing(a, b)) break;
     }
-    if (removeRing(a, b, measure)) return true;
+    if (removeRing(a, b, ring, measure)) return true;
     if (depth > 0) {
         std::vector<VertexId> link;
         for (const TetId other : ring) {
@@ -120,8 +129,11 @@ bool FlipSearch::removeEdge(VertexId a, VertexId b, int depth, const TetMeasure&
         for (const VertexId side : link) {
             for (const VertexId end : {a, b}) {
                 const std::size_t before = mark();
-                if (!removeEdge(end, side, depth - 1, measure) || mark() == before) continue;
-                if (removeRing(a, b, measure)) return true;
+                const TetId beside = findEdge(end, side, ring);
+                if (!beside.isValid() || !removeEdge(end, side, beside, depth - 1, measure) ||
+                    mark() == before)
+                    continue;
+                if (removeRing(a, b, ring, measure)) return true;
             }
         }
     }

@@ -30,7 +30,8 @@ public:
     /// Removes the edge by the flips of its ring whose worst tetrahedron is best; if that fails, removes up to `depth` levels
     /// of edges beside it first. True if the edge is gone; if not, nothing is changed.
     /// Reference  [si2015] section 3 has the idea of removing edges that lock an edge
-    bool removeEdge(VertexId a, VertexId b, int depth, const TetMeasure& measure);
+    /// Requires   `at` has the edge, or is invalid: then it is looked for
+    bool removeEdge(VertexId a, VertexId b, TetId at, int depth, const TetMeasure& measure);
 
     /// Any other replacement, with the vertices that were added for it: these are removed if it is taken back.
     void replace(std::span<const TetId> before, std::span<const TetCorners> after,
@@ -48,7 +49,8 @@ private:
     };
 
     void apply(const Flip3d& flip);
-    bool removeRing(VertexId a, VertexId b, const TetMeasure& measure);
+    bool removeRing(VertexId a, VertexId b, std::span<const TetId> likely, const TetMeasure& measure);
+    [[nodiscard]] TetId findEdge(VertexId a, VertexId b, std::span<const TetId> likely) const;
     bool shrinkRing(VertexId a, VertexId b);
 
     Triangulation3d& mesh_;

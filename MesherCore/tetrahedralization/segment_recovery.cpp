@@ -109,7 +109,7 @@ bool SegmentRecovery::tryAt(const EdgeCrossing& crossing, VertexId a, VertexId b
     };
     const std::size_t mark = flips_.mark();
     if (crossing.kind == EdgeCrossing::Kind::Edge) {
-        if (flips_.removeEdge(crossing.vertex[0], crossing.vertex[1], depth, measure) &&
+        if (flips_.removeEdge(crossing.vertex[0], crossing.vertex[1], crossing.face.tet(), depth, measure) &&
             lessens(a, b, mark, limit))
             return true;
         // The last resort before a vertex on the edge itself.
@@ -118,7 +118,8 @@ bool SegmentRecovery::tryAt(const EdgeCrossing& crossing, VertexId a, VertexId b
     }
     if (flips_.flipFace(crossing.face) && lessens(a, b, mark, limit)) return true;
     for (unsigned k = 0; k < 3; ++k) {
-        if (flips_.removeEdge(crossing.vertex[k], crossing.vertex[(k + 1) % 3], depth, measure) &&
+        if (flips_.removeEdge(crossing.vertex[k], crossing.vertex[(k + 1) % 3], crossing.face.tet(), depth,
+                              measure) &&
             lessens(a, b, mark, limit)) {
             return true;
         }

@@ -33,11 +33,12 @@ class SegmentRecovery
 {
 public:
     /// At the depth `maxDepth` it may add vertices beside the plane of edges that it swaps.
-    SegmentRecovery(SurfaceConstraints& constraints, FlipSearch& flips, int maxDepth)
+    SegmentRecovery(SurfaceConstraints& constraints, FlipSearch& flips, int maxDepth, std::uint64_t seed)
         : constraints_(constraints),
           flips_(flips),
           crossings_(std::as_const(constraints).mesh()),
           swap_(constraints.mesh(), flips),
+          random_(seed),
           maxDepth_(maxDepth)
     {
     }
@@ -64,7 +65,7 @@ private:
     std::vector<EdgeCrossing> found_;
     std::vector<EdgeCrossing> trial_;
     RecoveryObstacle obstacle_;
-    Random random_{1};
+    Random random_;
     int maxDepth_;
 };
 

@@ -88,7 +88,8 @@ void SurfaceConstraints::lockFacet(TetFace face) { mesh().setFaceConstrained(fac
 void SurfaceConstraints::releaseTemporaryLocks()
 {
     for (const auto& [a, b] : temporaryLocks_) {
-        if (segmentAt(a, b).isValid()) continue;
+        // Vertices of temporary splits may be gone.
+        if (segmentAt(a, b).isValid() || !mesh().isVertexAlive(a) || !mesh().isVertexAlive(b)) continue;
         const TetId tet = mesh().findEdge(a, b);
         if (tet.isValid()) mesh().setEdgeConstrained(tet, a, b, false);
     }
@@ -183,7 +184,7 @@ void SurfaceConstraints::restore(const SurfaceSplit& split)
 
 void SurfaceConstraints::make(const SurfaceSplit& split, VertexId vertex)
 {
-    const SurfaceSplitResult result = surface_.commit(split);
+    const SurfaceSplitResult result = active_->commit(split);
     tets_.nodeOf.resize(std::max<std::size_t>(tets_.nodeOf.size(), mesh().vertexLimit()));
     tets_.vertexOf.resize(surface().nodes.size());
     tets_.nodeOf[vertex] = result.node;
@@ -198,6 +199,94 @@ void SurfaceConstraints::make(const SurfaceSplit& split, VertexId vertex)
         for (const SegmentId half : result.halves) require(half);
     }
     for (const FacetId facet : result.added) require(facet);
+}
+
+// --- temporary splits
+
+bool SurfaceConstraints::startTemporarySplits()
+{
+    if (temporary_) return false;
+    temporary_ = std::make_unique<TemporarySplits>(exact_.mesh());
+    active_ = temporary_.get();
+    return true;
+}
+
+void SurfaceConstraints::takeBack(std::size_t index)
+{
+    const TemporarySplits::Made& made = temporary_->made()[index];
+    const auto endsOf = [&](SegmentId segment) {
+        const auto& node = surface().segments[segment].node;
+        return std::pair(tets_.vertexOf[node[0]], tets_.vertexOf[node[1]]);
+    };
+    for (const FacetId facet : made.result.added) tets_.facetOf.erase(sorted(cornersOf(facet)));
+    if (made.split.segment.isValid()) {
+        for (const SegmentId half : made.result.halves) {
+            const auto [a, b] = endsOf(half);
+            tets_.segmentOf.erase(unorderedPair(a, b));
+        }
+        const auto [a, b] = endsOf(made.split.segment);
+        tets_.segmentOf.insertOrAssign(unorderedPair(a, b), made.split.segment);
+        lockEdge(mesh().findEdge(a, b), a, b);
+    }
+    for (const FacetId facet : made.split.removed)
+        tets_.facetOf.insertOrAssign(sorted(cornersOf(facet)), facet);
+    temporary_->takeBack(index);
+    VertexId& vertex = tets_.vertexOf[made.result.node];
+    tets_.nodeOf[vertex] = NodeId();
+    vertex = VertexId();
+    facetsByNode_.clear();
+}
+
+Result<void> SurfaceConstraints::endTemporarySplits()
+{
+    if (!temporary_) return {};
+    IndexedMap<NodeId, NodeId> nodes;
+    IndexedMap<SegmentId, SegmentId> segments;
+    IndexedMap<FacetId, FacetId> facets;
+    const auto idIn = [](const auto& map, auto id) {
+        const auto* mapped = map.find(id);
+        return mapped == nullptr ? id : *mapped;
+    };
+    IdVector<NodeId, VertexId> vertexOf = tets_.vertexOf;
+    vertexOf.resize(exact_.mesh().nodes.size());
+    for (const TemporarySplits::Made& made : temporary_->made()) {
+        if (made.isTakenBack) continue;
+        SurfaceSplit split = made.split;
+        if (split.segment.isValid()) split.segment = idIn(segments, split.segment);
+        for (SurfaceSegment& half : split.halves) {
+            for (NodeId& node : half.node) node = idIn(nodes, node);
+        }
+        for (FacetId& facet : split.removed) facet = idIn(facets, facet);
+        for (SurfaceFacet& facet : split.added) {
+            for (NodeId& node : facet.node) node = idIn(nodes, node);
+        }
+        if (!exact_.accepts(split)) {
+            return Error{ErrorCode::DegenerateInput,
+                         "a vertex of recovery could not be taken off the surface", nameOf(split.node.entity),
+                         split.node.position, "make the surface mesh finer there"};
+        }
+        const SurfaceSplitResult result = exact_.commit(split);
+        nodes.insert(made.result.node, result.node);
+        vertexOf.push_back(tets_.vertexOf[made.result.node]);
+        tets_.nodeOf[vertexOf[result.node]] = result.node;
+        for (std::size_t i = 0; i < result.added.size(); ++i)
+            facets.insert(made.result.added[i], result.added[i]);
+        for (std::size_t i = 0; i < 2 && split.segment.isValid(); ++i)
+            segments.insert(made.result.halves[i], result.halves[i]);
+    }
+    tets_.vertexOf = std::move(vertexOf);
+    active_ = &exact_;
+    temporary_.reset();
+    facetsByNode_.clear();
+    for (const auto& [old, id] : facets) {
+        if (surface().facets[id].isAlive()) tets_.facetOf.insertOrAssign(sorted(cornersOf(id)), id);
+    }
+    for (const auto& [old, id] : segments) {
+        if (!surface().segments[id].isAlive()) continue;
+        const auto& node = surface().segments[id].node;
+        tets_.segmentOf.insertOrAssign(unorderedPair(tets_.vertexOf[node[0]], tets_.vertexOf[node[1]]), id);
+    }
+    return {};
 }
 
 std::string SurfaceConstraints::nameOfFacet(FacetId facet) const

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "base/result.h"
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_splitter.h"
+#include "tetrahedralization/temporary_splits.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,12 +23,12 @@ class SurfaceConstraints
 {
 public:
     SurfaceConstraints(SurfaceSplitter& surface, ConstrainedTetrahedralization& tets)
-        : surface_(surface), tets_(tets)
+        : exact_(surface), active_(&surface), tets_(tets)
     {
     }
 
-    [[nodiscard]] const SurfaceMesh& surface() const { return surface_.mesh(); }
-    [[nodiscard]] SurfaceSplitter& splitter() { return surface_; }
+    [[nodiscard]] const SurfaceMesh& surface() const { return active_->mesh(); }
+    [[nodiscard]] SurfaceSplitter& splitter() { return *active_; }
     [[nodiscard]] ConstrainedTetrahedralization& tets() { return tets_; }
     [[nodiscard]] Triangulation3d& mesh() { return tets_.mesh(); }
     [[nodiscard]] const Triangulation3d& mesh() const { return std::as_const(tets_).mesh(); }
@@ -55,6 +58,17 @@ public:
     /// Makes the released split, `vertex` being the new node: what it adds becomes a constraint, or is listed as missing.
     void make(const SurfaceSplit& split, VertexId vertex);
 
+    // --- splits off the exact geometry
+    /// From now on splits change a copy of the surface mesh, and any place is accepted. False if so already.
+    bool startTemporarySplits();
+    /// Null before the start.
+    [[nodiscard]] const TemporarySplits* temporarySplits() const { return temporary_.get(); }
+    /// Takes a temporary split back in the maps; the tetrahedralization has the constraints that it had split already.
+    void takeBack(std::size_t index);
+    /// Goes back to the surface mesh itself. What temporary splits are left are made there: the first one that is not
+    /// accepted is told by its entity, and the maps are of no use then.
+    Result<void> endTemporarySplits();
+
     /// "Edge3" for a segment, "Face6" for another edge of a facet or a facet, "Vertex2" …
     std::string nameOfEdge(VertexId a, VertexId b);
     [[nodiscard]] std::string nameOfFacet(FacetId facet) const;
@@ -74,7 +88,9 @@ private:
     void listFacetsByNode();
     void unlock(VertexId a, VertexId b);
 
-    SurfaceSplitter& surface_;
+    SurfaceSplitter& exact_;
+    SurfaceSplitter* active_;
+    std::unique_ptr<TemporarySplits> temporary_;
     ConstrainedTetrahedralization& tets_;
     std::vector<EdgeKey> temporaryLocks_;
     /// Also dead ones; empty until it is asked for.

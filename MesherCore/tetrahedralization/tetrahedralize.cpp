@@ -11,9 +11,14 @@
 #include "tetrahedralization/region_classification.h"
 #include "tetrahedralization/surface_input.h"
 
+#include <algorithm>
+
 namespace mesher {
 
 namespace {
+
+/// At a recovery that fails at points of its own.
+constexpr std::uint32_t kMostAttempts = 3;
 
 Result<void> checkOptions(const TetrahedralizationOptions& options)
 {
@@ -24,23 +29,29 @@ Result<void> checkOptions(const TetrahedralizationOptions& options)
     return {};
 }
 
+/// `mayTryAgain`: points that recovery made up may be what it failed at, not the input.
 Result<void> recover(SurfaceSplitter& surface, const TetrahedralizationOptions& options, Budget& budget,
-                     Tetrahedralization& result)
+                     RunContext& context, Tetrahedralization& result, bool& mayTryAgain)
 {
     SurfaceConstraints constraints(surface, result.tets);
     findMissingConstraints(constraints);
     result.counts.missingEdges = static_cast<std::uint32_t>(constraints.missingEdges.size());
     result.counts.missingFacets = static_cast<std::uint32_t>(constraints.missingFacets.size());
-    ConstraintRecovery recovery(constraints, options, budget, result);
+    // Another order meets other special positions.
+    if (result.counts.attempts % 2 == 0)
+        std::reverse(constraints.missingEdges.begin(), constraints.missingEdges.end());
+    ConstraintRecovery recovery(constraints, options, budget, result, context);
     const Result<void> recovered = recovery.run();
+    mayTryAgain = constraints.temporarySplits() != nullptr && budget.allows();
     constraints.releaseTemporaryLocks();
     return recovered;
 }
 
-void restoreDelaunay(Budget& budget, Tetrahedralization& result)
+void restoreDelaunay(Budget& budget, RunContext& context, Tetrahedralization& result)
 {
+    context.reportProgress("constrained Delaunay", 0.0);
     ConstrainedFlips3d flips(*result.tets.delaunay, DelaunayPart::Everywhere);
-    flips.pushAll();
+    flips.pushAll(budget);
     flips.flipAndFill(budget);
     result.counts.delaunayFlips += flips.counts().flips;
     result.counts.delaunayCavities += flips.counts().cavities;
@@ -66,20 +77,29 @@ Result<Tetrahedralization> tetrahedralize(SurfaceSplitter& surface, const Region
     if (Result<void> valid = checkSurfaceInput(surface.mesh(), sides); !valid) return valid.error();
     Tetrahedralization result;
     Budget budget(options.limits, context);
-    if (Result<void> inserted = insertNodes(surface.mesh(), options, context, result); !inserted)
-        return inserted.error();
-    if (result.stopReason != StopReason::Done) return result;
-    if (Result<void> recovered = recover(surface, options, budget, result); !recovered)
-        return recovered.error();
+    for (std::uint32_t attempt = 1;; ++attempt) {
+        result = {};
+        result.counts.attempts = attempt;
+        if (Result<void> inserted = insertNodes(surface.mesh(), options, context, result); !inserted)
+            return inserted.error();
+        if (result.stopReason != StopReason::Done) return result;
+        bool mayTryAgain = false;
+        const Result<void> recovered = recover(surface, options, budget, context, result, mayTryAgain);
+        if (recovered && result.failures.empty()) break;
+        if (mayTryAgain && attempt < kMostAttempts) continue;
+        if (!recovered) return recovered.error();
+        break;
+    }
     if (!result.failures.empty() || result.stopReason != StopReason::Done) return result;
-    restoreDelaunay(budget, result);
+    restoreDelaunay(budget, context, result);
     if (Result<void> regions = classifyRegions(result.tets, surface.mesh(), sides); !regions)
         return regions.error();
-    const FreeVertexRemoval removal = removeFreeVertices(result.tets, options.scaffold);
+    const FreeVertexRemoval removal = removeFreeVertices(result.tets, options.scaffold, budget, context);
     result.counts.freeVerticesLeft = removal.left;
-    if (removal.removed > 0) restoreDelaunay(budget, result);
-    result.counts.nonDelaunayFaces = countNonDelaunayFaces(result.tets.mesh(), DelaunayPart::Inside);
+    if (removal.removed > 0) restoreDelaunay(budget, context, result);
     result.stopReason = budget.stopReason();
+    if (result.stopReason != StopReason::Done) return result;
+    result.counts.nonDelaunayFaces = countNonDelaunayFaces(result.tets.mesh(), DelaunayPart::Inside);
     checkResult(surface.mesh(), sides, result, context);
     return result;
 }

@@ -43,7 +43,10 @@ struct TetrahedralizationCounts
     std::uint32_t facetsByFlips = 0;
     std::uint32_t facetsByCavity = 0;
     std::uint32_t facetsByStar = 0;
-    std::uint32_t exactSplits = 0;   ///< new nodes on the exact geometry
+    std::uint32_t attempts = 1;     ///< at the recovery, in different orders
+    std::uint32_t exactSplits = 0;  ///< new nodes on the exact geometry
+    std::uint32_t temporarySplits =
+        0;  ///< off the exact geometry, taken back but for those counted in the next two
     std::uint32_t edgeSteiner = 0;   ///< new nodes on edges that are not on the exact geometry
     std::uint32_t facetSteiner = 0;  ///< … on facets
     std::uint32_t starVertices = 0;  ///< additional vertices off the surface, before removal

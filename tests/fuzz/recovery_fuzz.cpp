@@ -3,6 +3,7 @@
 
 #include "delaunay/constrained_check.h"
 #include "delaunay/delaunay_check3d.h"
+#include "support/poly_file.h"
 #include "support/sample_surfaces.h"
 #include "tetrahedralization/tetrahedralize.h"
 
@@ -26,24 +27,6 @@ struct Totals
     std::uint64_t withNonDelaunay = 0;
     std::uint64_t withSteiner = 0;
 };
-
-/// The round's input for TetGen, each triangle a facet of its own.
-void writePoly(const SurfaceMesh& mesh, const char* path)
-{
-    std::FILE* file = std::fopen(path, "w");
-    if (file == nullptr) return;
-    std::fprintf(file, "%zu 3 0 0\n", mesh.nodes.size());
-    for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) {
-        const Vec3& p = mesh.nodes[NodeId(i)].position;
-        std::fprintf(file, "%u %.17g %.17g %.17g\n", i, p.x, p.y, p.z);
-    }
-    std::fprintf(file, "%zu 0\n", mesh.facets.size());
-    for (const SurfaceFacet& facet : mesh.facets) {
-        std::fprintf(file, "1\n3 %u %u %u\n", facet.node[0].value, facet.node[1].value, facet.node[2].value);
-    }
-    std::fprintf(file, "0\n0\n");
-    std::fclose(file);
-}
 
 /// Turned planar faces are planar no more, by the last bit, and facets of theirs may then cross: not a fault.
 std::string tryRound(std::uint64_t seed, bool isVerbose, const TetrahedralizationOptions& options,
@@ -129,7 +112,7 @@ int main(int argc, char** argv)
             rounds = std::strtoull(argv[++i], nullptr, 10);
         } else if (std::strcmp(argv[i], "--poly") == 0 && i + 1 < argc) {
             std::string name;
-            mesher::writePoly(mesher::test::randomSurface(seed, name).mesh, argv[++i]);
+            mesher::test::writePoly(mesher::test::randomSurface(seed, name).mesh, argv[++i]);
             return 0;
         } else if (std::strcmp(argv[i], "--depth") == 0 && i + 1 < argc) {
             options.flipDepth = std::atoi(argv[++i]);

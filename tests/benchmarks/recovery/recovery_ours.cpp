@@ -2,6 +2,7 @@
 // with --poly the surface goes to a file for TetGen instead (tetgen -pM FILE), each triangle a facet of its own.
 
 #include "delaunay/constrained_check.h"
+#include "support/poly_file.h"
 #include "support/sample_surfaces.h"
 #include "tetrahedralization/tetrahedralize.h"
 
@@ -22,23 +23,6 @@ test::SampleSurface surfaceNamed(std::string_view name, int size)
     return test::flippedBoxSurface(size, size * size * 3, {1.0, 0.7, 0.1}, 1);
 }
 
-void writePoly(const SurfaceMesh& mesh, const char* path)
-{
-    std::FILE* file = std::fopen(path, "w");
-    if (file == nullptr) return;
-    std::fprintf(file, "%zu 3 0 0\n", mesh.nodes.size());
-    for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) {
-        const Vec3& p = mesh.nodes[NodeId(i)].position;
-        std::fprintf(file, "%u %.17g %.17g %.17g\n", i, p.x, p.y, p.z);
-    }
-    std::fprintf(file, "%zu 0\n", mesh.facets.size());
-    for (const SurfaceFacet& facet : mesh.facets) {
-        std::fprintf(file, "1\n3 %u %u %u\n", facet.node[0].value, facet.node[1].value, facet.node[2].value);
-    }
-    std::fprintf(file, "0\n0\n");
-    std::fclose(file);
-}
-
 }  // namespace
 
 int main(int count, char** words)
@@ -50,7 +34,7 @@ int main(int count, char** words)
     }
     test::SampleSurface sample = surfaceNamed(words[1], std::atoi(words[2]));
     if (count == 5) {
-        writePoly(sample.mesh, words[4]);
+        test::writePoly(sample.mesh, words[4]);
         return 0;
     }
     const std::size_t facets = sample.mesh.facets.size();
