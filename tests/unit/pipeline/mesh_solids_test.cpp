@@ -57,6 +57,20 @@ TEST(MeshSolids, MeshesASolidThatTouchesItselfInAVertex)
                        2.0, "Vertex");
 }
 
+TEST(ModelCheck, SeesATriangleThatNamesAnotherFace)
+{
+    const BrepModel model = *makeBox({}, {1.0, 1.0, 1.0});
+    MeshOptions options;
+    options.size = 0.5;
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+    ASSERT_TRUE(outcome.mesh);
+    EXPECT_TRUE(checkAgainstModel(*outcome.mesh, model).isValid());
+    ClassifiedMesh mesh = *outcome.mesh;
+    mesh.triangles.front().entity.index = (mesh.triangles.front().entity.index + 1) % 6;
+    EXPECT_EQ(checkAgainstModel(mesh, model).trianglesOff, 1u);
+}
+
 TEST(MeshSolids, NamesTheFacesWhereASolidCrossesItself)
 {
     MeshOptions options;
