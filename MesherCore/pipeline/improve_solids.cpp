@@ -8,13 +8,13 @@ namespace mesher {
 
 namespace {
 
-bool meetsItself(const BrepModel& model, const ClassifiedMesh& mesh)
+bool meetsItself(const BrepModel& model, const ClassifiedMesh& mesh, RunContext& context)
 {
     SurfaceMesh surface;
     surface.nodes = mesh.nodes;
     for (const auto& triangle : mesh.triangles)
         surface.facets.push_back({triangle.node, BrepFaceId(triangle.entity.index), {}});
-    return !findFacetIntersections(model, surface).empty();
+    return !findFacetIntersections(model, surface, context).empty();
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ Result<SolidImprovement> improveSolids(ClassifiedMesh& mesh, const BrepModel& mo
     SolidImprovement result;
     Result<Improvement> improved = improveMesh(mesh, model, options, context);
     if (!improved) return improved.error();
-    if (improved->counts.curvedChanges > 0 && meetsItself(model, mesh)) {
+    if (improved->counts.curvedChanges > 0 && meetsItself(model, mesh, context)) {
         result.isBoundaryFrozen = true;
         mesh = std::move(before);
         ImprovementOptions inside = options;

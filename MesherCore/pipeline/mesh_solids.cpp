@@ -55,7 +55,7 @@ public:
     }
 
     /// The first half, after which solids can be compared with those of other groups.
-    bool sampleSurfaces() { return isSampled_ = findSides() && sample(); }
+    bool sampleSurfaces() { return isSampled_ = findSides() && sample() && boundsVolumes(); }
 
     [[nodiscard]] const SurfaceMesh* surface() const
     {
@@ -126,6 +126,13 @@ private:
         for (const auto& [face, error] : sample_.failures) fail(report(), error);
         if (!sample_.failures.empty()) return false;
         return mayGoOn(sample_.stopReason);
+    }
+
+    /// Facets that intersect bound nothing; which faces they are on is known here.
+    bool boundsVolumes()
+    {
+        for (const Error& error : sample_.counts.certificate.errors) fail(report(), error);
+        return sample_.counts.certificate.errors.empty();
     }
 
     void tellSample()
@@ -443,6 +450,8 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     const bool areFree = tellContacts(sampledComponents(components, runs), whole.report);
     ClassifiedMesh mesh;
     for (std::size_t i = 0; i < components.size(); ++i) {
+        whole.report.warnings.insert(whole.report.warnings.end(), components[i].notes.begin(),
+                                     components[i].notes.end());
         const MeshOutcome part = areFree ? runs[i].meshVolumes() : runs[i].keepSurface();
         addReport(components[i], part.report, whole.report);
         if (part.mesh) appendComponent(components[i], *part.mesh, mesh);

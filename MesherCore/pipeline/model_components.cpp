@@ -1,5 +1,7 @@
 #include "pipeline/model_components.h"
 
+#include "brep/model_welding.h"
+
 #include <algorithm>
 #include <cctype>
 #include <numeric>
@@ -157,6 +159,42 @@ ModelComponent extract(const BrepModel& model, const Members& members)
     return part;
 }
 
+template <class EntityId>
+void compose(const IdVector<EntityId, EntityId>& outer, IdVector<EntityId, EntityId>& inner)
+{
+    for (EntityId& id : inner) id = outer[id];
+}
+
+template <class EntityId>
+void noteTwins(const IdVector<EntityId, EntityId>& keptOf, const IdVector<EntityId, EntityId>& inWhole,
+               std::vector<std::string>& notes)
+{
+    for (std::uint32_t i = 0; i < keptOf.size(); ++i) {
+        const EntityId twin(i), kept = keptOf[twin];
+        if (kept != twin)
+            notes.push_back(nameOf(inWhole[twin]) + " is where " + nameOf(inWhole[kept]) +
+                            " is, which has the elements of both");
+    }
+}
+
+/// The component without the vertices and edges that others stand for.
+ModelComponent weld(ModelComponent part)
+{
+    const WeldedEntities welded = weldCoincidences(part.model);
+    if (welded.vertices == 0 && welded.edges == 0) return part;
+    std::vector<BrepSolidId> solids;
+    for (std::uint32_t s = 0; s < part.model.solids.size(); ++s) solids.emplace_back(s);
+    const Members members = membersOf(part.model, std::move(solids));
+    ModelComponent result = extract(part.model, members);
+    noteTwins(welded.vertex, part.vertexOf, result.notes);
+    noteTwins(welded.edge, part.edgeOf, result.notes);
+    compose(part.vertexOf, result.vertexOf);
+    compose(part.edgeOf, result.edgeOf);
+    compose(part.faceOf, result.faceOf);
+    compose(part.solidOf, result.solidOf);
+    return result;
+}
+
 }  // namespace
 
 EntityRef ModelComponent::inWhole(EntityRef entity) const
@@ -189,7 +227,7 @@ std::vector<ModelComponent> solidComponents(const BrepModel& model)
 {
     std::vector<ModelComponent> components;
     for (std::vector<BrepSolidId>& group : groupsOf(model))
-        components.push_back(extract(model, membersOf(model, std::move(group))));
+        components.push_back(weld(extract(model, membersOf(model, std::move(group)))));
     return components;
 }
 

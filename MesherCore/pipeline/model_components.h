@@ -3,6 +3,7 @@
 #include "brep/brep_model.h"
 #include "mesh/classified_mesh.h"
 
+#include <string>
 #include <vector>
 
 namespace mesher {
@@ -15,6 +16,8 @@ struct ModelComponent
     IdVector<BrepEdgeId, BrepEdgeId> edgeOf;
     IdVector<BrepFaceId, BrepFaceId> faceOf;
     IdVector<BrepSolidId, BrepSolidId> solidOf;
+    /// Vertices and edges of the whole that others stand for, see brep/model_welding.h; one clause each.
+    std::vector<std::string> notes;
 
     /// The entity of the whole model that one of the component's is.
     [[nodiscard]] EntityRef inWhole(EntityRef entity) const;
@@ -23,7 +26,7 @@ struct ModelComponent
 };
 
 /// The solids of a model, in groups that share no face, edge or vertex: such groups have nothing in common that a mesh would
-/// have to keep, whether they touch or not. In the order of their first solids. Faces of no solid are in no component.
+/// have to keep, whether they touch or not. Within a group, vertices and edges at one place are made one. In the order of their first solids. Faces of no solid are in no component.
 [[nodiscard]] std::vector<ModelComponent> solidComponents(const BrepModel& model);
 
 /// Appends the mesh of a component to that of the whole.

@@ -51,7 +51,6 @@ public:
         result.left = collectLeftTets(state_, isStopped_);
         state_.counts.delaunayFlips = state_.flips.counts().flips;
         state_.counts.delaunayCavities = state_.flips.counts().cavities;
-        state_.counts.nonDelaunayFaces = countNonDelaunayFaces(state_.mesh, DelaunayPart::Inside);
         result.walls = state_.walls.walls();
         state_.counts.boundary = boundary_.splitCounts();
         state_.counts.cavityRepairs = state_.t.delaunay->counters().cavityRepairs;
@@ -121,7 +120,13 @@ private:
     void makeDelaunay()
     {
         constexpr int kMostRounds = 8;
-        for (int round = 0; round < kMostRounds && flipAll(); ++round) drain(Phase::Quality);
+        bool isChanged = true;
+        for (int round = 0; round < kMostRounds && isChanged; ++round) {
+            isChanged = flipAll();
+            if (isChanged) drain(Phase::Quality);
+        }
+        state_.counts.nonDelaunayFaces = isChanged ? countNonDelaunayFaces(state_.mesh, DelaunayPart::Inside)
+                                                   : state_.flips.stuck().size();
     }
 
     /// Makes all faces Delaunay as far as possible. False if nothing was to be changed.

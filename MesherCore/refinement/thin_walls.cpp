@@ -54,7 +54,7 @@ void ThinWalls::find(const SurfaceMesh& surface, double budget)
 {
     collectSides(surface);
     choose(budget);
-    markKept();
+    markKept(surface);
     sides_.clear();
 }
 
@@ -137,8 +137,9 @@ void ThinWalls::choose(double budget)
     }
 }
 
-/// A vertex is in a kept wall if all facets around it on the wall's side are.
-void ThinWalls::markKept()
+/// A vertex is in a kept wall if all facets around it on the wall's own faces and side are, and its rim is not finer than
+/// the wall.
+void ThinWalls::markKept(const SurfaceMesh& surface)
 {
     if (!hasKept_) return;
     const Triangulation3d& mesh = t_.mesh();
@@ -155,23 +156,38 @@ void ThinWalls::markKept()
             ++kept[v.value];
         }
     }
-    std::vector<std::uint32_t> all(mesh.vertexLimit(), 0);
-    for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
-        if (!isMeshed(mesh, TetId(i)) || (mesh.flags(TetId(i)) & tet_flag::kFaces) == 0) continue;
-        for (int f = 0; f < 4; ++f) {
-            if (!mesh.isFaceConstrained({TetId(i), f})) continue;
-            for (const VertexId v : mesh.faceVertices({TetId(i), f})) {
-                const RegionId region = marks_[v].region;
-                if (region == kAnyRegion || region == mesh.region(TetId(i))) ++all[v.value];
-            }
-        }
-    }
+    const std::vector<std::uint32_t> all = countOwnFacets(kept, surface);
     for (std::uint32_t i = 0; i < mesh.vertexLimit(); ++i) {
         if (kept[i] == 0) continue;
         Mark& mark = marks_[VertexId(i)];
         mark.size /= static_cast<float>(kept[i]);
-        if (kept[i] == all[i]) mark.share = 1.0F;
+        if (kept[i] >= all[i]) mark.share = 1.0F;
     }
+}
+
+/// The facets around each marked vertex that lie on a face of its wall, seen from the wall's region, or on a rim which
+/// is as fine as the wall is thick.
+std::vector<std::uint32_t> ThinWalls::countOwnFacets(const std::vector<std::uint32_t>& kept,
+                                                     const SurfaceMesh& surface) const
+{
+    const Triangulation3d& mesh = t_.mesh();
+    std::vector<std::uint32_t> count(mesh.vertexLimit(), 0);
+    for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
+        const TetId tet(i);
+        if (!isMeshed(mesh, tet) || (mesh.flags(tet) & tet_flag::kFaces) == 0) continue;
+        for (int f = 0; f < 4; ++f) {
+            if (!mesh.isFaceConstrained({tet, f})) continue;
+            const BrepFaceId face = faceOf(t_, {tet, f}, surface);
+            for (const VertexId v : mesh.faceVertices({tet, f})) {
+                if (kept[v.value] == 0 || !isIn(marks_[v], mesh.region(tet))) continue;
+                const ThinWall& wall = walls_[marks_[v].wall];
+                const bool isOwn = face == wall.face[0] || face == wall.face[1];
+                if (isOwn || kThin * longestEdge(mesh, {tet, f}) < wall.thickness * t_.scale)
+                    ++count[v.value];
+            }
+        }
+    }
+    return count;
 }
 
 /// Not behind the wall, in the solid on its other side.

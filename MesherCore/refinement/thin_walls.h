@@ -42,7 +42,7 @@ public:
     /// Whether the tetrahedron stays as flat as its wall is thin.
     [[nodiscard]] bool isInKept(TetId tet) const
     {
-        return hasKept_ && shareOf(t_.mesh().tet(tet).vertex) >= 2.0F && isOnItsSide(tet);
+        return hasKept_ && shareOf(t_.mesh().tet(tet).vertex) > 2.0F && isOnItsSide(tet);
     }
     /// Whether an entity of the boundary may be split for quality: `size` is its length, or the diameter of its circle.
     [[nodiscard]] bool maySplit(std::span<const VertexId> corners, double size) const;
@@ -80,7 +80,9 @@ private:
     [[nodiscard]] BrepFaceId faceAcross(TetFace face, VertexId apex, const SurfaceMesh& surface) const;
     std::uint32_t wallBetween(BrepFaceId a, BrepFaceId b, RegionId region);
     void choose(double budget);
-    void markKept();
+    void markKept(const SurfaceMesh& surface);
+    [[nodiscard]] std::vector<std::uint32_t> countOwnFacets(const std::vector<std::uint32_t>& kept,
+                                                            const SurfaceMesh& surface) const;
     [[nodiscard]] bool isOnItsSide(TetId tet) const;
     [[nodiscard]] float shareOf(std::span<const VertexId> corners) const
     {

@@ -42,7 +42,11 @@ std::vector<FacetIntersection> findSharedEdges(SampledSurface& surface)
             const auto [owner, isNew] = owners.insert(std::minmax(a.node, b.node), facet);
             if (isNew) continue;
             if (owner->isValid() && mesh.facets[*owner].face == mesh.facets[facet].face) continue;
-            found.push_back({owner->isValid() ? *owner : facet, facet, 0.5 * (a.position + b.position)});
+            // The last one yields, unless its surface is a plane, in which the other one has no business.
+            FacetIntersection pair{owner->isValid() ? *owner : facet, facet, 0.5 * (a.position + b.position)};
+            if (surface.faces().face(mesh.facets[facet].face)->geometry.isPlane())
+                std::swap(pair.first, pair.second);
+            found.push_back(pair);
         }
     }
     return found;
@@ -52,7 +56,7 @@ class Certifier
 {
 public:
     Certifier(SampledSurface& surface, const BudgetLimits& limits, RunContext& context)
-        : surface_(surface), limits_(limits), context_(context)
+        : surface_(surface), limits_(limits), time_(limits.maxTime), context_(context)
     {
     }
 
@@ -60,7 +64,10 @@ public:
     {
         for (;;) {
             const std::vector<FacetIntersection> crossing =
-                findFacetIntersections(surface_.faces().model(), surface_.mesh());
+                findFacetIntersections(surface_.faces().model(), surface_.mesh(), context_);
+            if (context_.isCancelled()) result_.refinement.stopReason = StopReason::Cancelled;
+            if (time_.isOver()) result_.refinement.stopReason = StopReason::TimeLimit;
+            if (result_.refinement.stopReason != StopReason::Done) break;
             const std::vector<FacetIntersection> shared = findSharedEdges(surface_);
             if (result_.rounds == 0) {
                 result_.found = crossing.size();
@@ -68,14 +75,13 @@ public:
             }
             result_.left = crossing.size() + shared.size();
             if (result_.left == 0) break;
-            const bool mayGoOn = result_.rounds < maxRounds && !context_.isCancelled();
-            if (!mayGoOn || !(forceLarger(crossing) | forceAtEdges(shared))) {
+            if (result_.rounds >= maxRounds || !(forceLarger(crossing) | forceAtEdges(shared))) {
                 report(crossing);
                 report(shared);
                 break;
             }
             ++result_.rounds;
-            const SamplingRounds rounds = surface_.faces().refine(limits_, kRoundsOfRefinement, context_);
+            const SamplingRounds rounds = surface_.faces().refine(limitsNow(), kRoundsOfRefinement, context_);
             result_.refinement.rounds += rounds.rounds;
             result_.refinement.segmentSplits += rounds.segmentSplits;
             result_.refinement.stopReason = rounds.stopReason;
@@ -86,6 +92,13 @@ public:
     }
 
 private:
+    [[nodiscard]] BudgetLimits limitsNow() const
+    {
+        BudgetLimits limits = limits_;
+        limits.maxTime = time_.now();
+        return limits;
+    }
+
     using FacePair = std::pair<BrepFaceId, BrepFaceId>;
     struct History
     {
@@ -170,17 +183,18 @@ private:
             const FacePair faces = facesOf(pair);
             if (std::find(reported.begin(), reported.end(), faces) != reported.end()) continue;
             reported.push_back(faces);
+            const bool isOne = faces.first == faces.second;
             result_.errors.push_back(
                 {ErrorCode::IntersectingConstraints,
-                 "the facets of " + nameOf(faces.first) + " and " + nameOf(faces.second) +
-                     " intersect, however small they are made",
-                 nameOf(faces.first), pair.point,
-                 "repair the faces where they touch or cross, or wish for smaller sizes there"});
+                 std::string(isOne ? "its" : "their") + " facets intersect, however small they are made",
+                 isOne ? nameOf(faces.first) : nameOf(faces.first) + " and " + nameOf(faces.second),
+                 pair.point, "repair the faces where they touch or cross, or wish for smaller sizes there"});
         }
     }
 
     SampledSurface& surface_;
     BudgetLimits limits_;
+    TimeLeft time_;
     RunContext& context_;
     SurfaceCertificate result_;
     IndexedMap<FacePair, History> histories_;

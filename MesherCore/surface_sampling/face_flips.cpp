@@ -26,25 +26,32 @@ void attach(FaceMesh& mesh, EdgeLink side, const OuterSide& outer)
 
 }  // namespace
 
-FlipObstacle obstacleToFlip(const FaceMesh& mesh, EdgeLink side)
+FlipObstacle obstacleToFlip(const FaceMesh& mesh, const FaceGeometry& geometry, EdgeLink side)
 {
     const EdgeLink other = mesh.across(side);
     if (!other.isValid() || mesh.segment(side).isValid()) return FlipObstacle::Constrained;
     const VertexId near = mesh.apex(side), far = mesh.apex(other);
-    if (near == far || mesh.areJoined(near, far)) return FlipObstacle::Joined;
+    const NodeId node = mesh.vertex(near).node;
+    const bool isOneNode = node.isValid() && node == mesh.vertex(far).node;
+    if (near == far || isOneNode || mesh.areJoined(near, far)) return FlipObstacle::Joined;
     const FaceVertex& a = mesh.vertex(mesh.from(side));
     const FaceVertex& b = mesh.vertex(mesh.to(side));
     const FaceVertex& c = mesh.vertex(near);
     const FaceVertex& d = mesh.vertex(far);
-    const double after = std::min(normalAgreement(c, a, d), normalAgreement(c, d, b));
+    const FaceTriangle &first = mesh.triangle(side.triangle()), &second = mesh.triangle(other.triangle());
+    const Vec2 uvA = first.uv[nextCorner(side.edge())], uvB = first.uv[previousCorner(side.edge())],
+               uvC = first.uv[side.edge()], uvD = second.uv[other.edge()] + mesh.shiftAcross(geometry, side);
+    const double after = std::min(facetAgreement(geometry, c, uvC, a, uvA, d, uvD),
+                                  facetAgreement(geometry, c, uvC, d, uvD, b, uvB));
     if (after >= kLeastAgreement) return FlipObstacle::None;
-    const double before = std::min(normalAgreement(c, a, b), normalAgreement(d, b, a));
+    const double before = std::min(facetAgreement(geometry, c, uvC, a, uvA, b, uvB),
+                                   facetAgreement(geometry, d, uvD, b, uvB, a, uvA));
     return after > before ? FlipObstacle::None : FlipObstacle::Folds;
 }
 
 EdgeLink flip(FaceMesh& mesh, const FaceGeometry& geometry, EdgeLink side)
 {
-    MESHER_PRECONDITION(obstacleToFlip(mesh, side) == FlipObstacle::None);
+    MESHER_PRECONDITION(obstacleToFlip(mesh, geometry, side) == FlipObstacle::None);
     const EdgeLink other = mesh.across(side);
     const TriangleId t = side.triangle(), s = other.triangle();
     const unsigned i = side.edge(), k = other.edge();
@@ -86,7 +93,7 @@ FaceFlips restoreSurfaceDelaunay(FaceMesh& mesh, const FaceGeometry& geometry, s
         const EdgeLink side = suspects.back();
         suspects.pop_back();
         if (!mesh.triangle(side.triangle()).isAlive || isLocallyDelaunay(mesh, side)) continue;
-        if (obstacleToFlip(mesh, side) != FlipObstacle::None) {
+        if (obstacleToFlip(mesh, geometry, side) != FlipObstacle::None) {
             ++result.refused;
             continue;
         }

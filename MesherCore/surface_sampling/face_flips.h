@@ -18,7 +18,7 @@ enum class FlipObstacle
     Folds         ///< the new triangles would look away from the surface, more than the present ones
 };
 
-[[nodiscard]] FlipObstacle obstacleToFlip(const FaceMesh& mesh, EdgeLink side);
+[[nodiscard]] FlipObstacle obstacleToFlip(const FaceMesh& mesh, const FaceGeometry& geometry, EdgeLink side);
 /// Replaces the edge by the other diagonal; returns one side of it. Requires an edge without obstacle.
 EdgeLink flip(FaceMesh& mesh, const FaceGeometry& geometry, EdgeLink side);
 /// The sum of the angles opposite to the edge does not exceed 180 degrees, or a segment or the border holds it.

@@ -1,5 +1,6 @@
 #include "surface_sampling/face_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mesher {
@@ -22,6 +23,8 @@ FaceGeometry::FaceGeometry(const BrepFace& face)
       periods_{surface_->periodU(), surface_->periodV()},
       boundsU_(face.boundsU),
       boundsV_(face.boundsV),
+      unit_{boundsU_.length() > 0.0 ? boundsU_.length() : 1.0,
+            boundsV_.length() > 0.0 ? boundsV_.length() : 1.0},
       rangeU_(surface_->rangeU()),
       rangeV_(surface_->rangeV()),
       isPlane_(surface_->planeFrame().has_value())
@@ -31,6 +34,15 @@ FaceGeometry::FaceGeometry(const BrepFace& face)
 Vec2 FaceGeometry::shiftBetween(Vec2 near, Vec2 target) const
 {
     return {periodShift(near.x, target.x, periods_.x), periodShift(near.y, target.y, periods_.y)};
+}
+
+bool FaceGeometry::isCounterClockwise(Vec2 a, Vec2 b, Vec2 c) const
+{
+    constexpr double kFlat = 1e-9;
+    const auto scaled = [this](Vec2 side) { return Vec2{side.x / unit_.x, side.y / unit_.y}; };
+    const Vec2 ab = scaled(b - a), ac = scaled(c - a), bc = scaled(c - b);
+    const double longest = std::max({squaredLength(ab), squaredLength(ac), squaredLength(bc)});
+    return cross(ab, ac) > kFlat * longest;
 }
 
 bool FaceGeometry::isInRange(Vec2 uv) const
@@ -107,6 +119,20 @@ SurfaceFacts FaceGeometry::at(Vec2 uv) const { return factsOf(surface_->evaluate
 SurfaceFacts FaceGeometry::projected(const Vec3& point, Vec2 seed) const
 {
     return at(surface_->project(point, seed).parameters);
+}
+
+SurfaceFacts FaceGeometry::between(Vec2 uvA, const Vec3& a, Vec2 uvB, const Vec3& b) const
+{
+    constexpr int kMostSteps = 12;
+    constexpr double kNearEnough = 1e-3;
+    double low = 0.0, high = 1.0, share = 0.5;
+    for (int step = 0; step < kMostSteps; ++step, share = 0.5 * (low + high)) {
+        const Vec3 p = surface_->position(uvA + share * (uvB - uvA));
+        const double toA = length(p - a), toB = length(p - b);
+        if (std::abs(toA - toB) <= kNearEnough * (toA + toB)) break;
+        (toA < toB ? low : high) = share;
+    }
+    return at(uvA + share * (uvB - uvA));
 }
 
 std::optional<SurfaceBallCentre> FaceGeometry::ballCentre(const Vec3& circumcentre, const Vec3& unitNormal,

@@ -40,6 +40,8 @@ public:
     /// By parameter; 0 where the surface is not periodic.
     [[nodiscard]] Vec2 periods() const { return periods_; }
 
+    [[nodiscard]] bool isPlane() const { return isPlane_; }
+
     [[nodiscard]] SurfaceFacts at(Vec2 uv) const;
     /// The normal on which the line through the facet's circumcentre, along the facet's normal, meets the surface, found
     /// by Newton's method from `seed`. The position is exact; the centre is so up to a hundredth of `radius`.
@@ -48,6 +50,15 @@ public:
     ballCentre(const Vec3& circumcentre, const Vec3& unitNormal, double radius, Vec2 seed) const;
     /// The closest point reached from the seed.
     [[nodiscard]] SurfaceFacts projected(const Vec3& point, Vec2 seed) const;
+
+    /// The point on the parameter line between two points that is as far from the one as from the other. It cannot leave the
+    /// face past a boundary, as a projection of their middle can where the surface turns sharply.
+    /// Terminates   after 12 bisections, by which the distances agree to a thousandth
+    [[nodiscard]] SurfaceFacts between(Vec2 uvA, const Vec3& a, Vec2 uvB, const Vec3& b) const;
+
+    /// Of three points in one image of the face; not so if their triangle is lower than a 10^-9th of its longest side, where
+    /// the face's bounds measure 1 by 1.
+    [[nodiscard]] bool isCounterClockwise(Vec2 a, Vec2 b, Vec2 c) const;
 
     /// The image of `uv` by whole periods that makes `near`, an image of its own point, fit to `target`.
     [[nodiscard]] Vec2 shiftBetween(Vec2 near, Vec2 target) const;
@@ -61,6 +72,7 @@ private:
     Vec2 periods_;
     Interval boundsU_;
     Interval boundsV_;
+    Vec2 unit_;  ///< lengths of the bounds, 1 where they have none
     Interval rangeU_;
     Interval rangeV_;
     bool isPlane_ = false;

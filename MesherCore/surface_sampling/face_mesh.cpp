@@ -1,7 +1,9 @@
 #include "surface_sampling/face_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 namespace mesher {
 namespace {
@@ -59,6 +61,33 @@ public:
         return {};
     }
 
+    /// Where the face touches itself in a node, each of the fans that meet there gets a vertex of its own.
+    void separateFans()
+    {
+        IdVector<TriangleId, std::array<bool, 3>> isReached(mesh_.triangleSlots());
+        const auto fanOf = [&](VertexId v, TriangleId start) {
+            std::vector<EdgeLink> fan;
+            mesh_.vertex(v).triangle = start;
+            mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) { fan.push_back(opposite); });
+            for (const EdgeLink corner : fan) isReached[corner.triangle()][corner.edge()] = true;
+            return fan;
+        };
+        const auto count = static_cast<std::uint32_t>(mesh_.vertexSlots());
+        for (std::uint32_t v = 0; v < count; ++v) fanOf(VertexId(v), mesh_.vertex(VertexId(v)).triangle);
+        for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
+            for (unsigned k = 0; k < 3; ++k) {
+                const TriangleId t(i);
+                if (isReached[t][k]) continue;
+                const VertexId whole = mesh_.triangle(t).v[k];
+                const TriangleId kept = mesh_.vertex(whole).triangle;
+                const std::vector<EdgeLink> fan = fanOf(whole, t);
+                const VertexId own = mesh_.addVertex(mesh_.vertex(whole));
+                mesh_.vertex(whole).triangle = kept;
+                for (const EdgeLink corner : fan) mesh_.triangle(corner.triangle()).v[corner.edge()] = own;
+            }
+        }
+    }
+
 private:
     VertexId vertexOf(NodeId node, Vec2 uv)
     {
@@ -114,6 +143,7 @@ Result<FaceMesh> FaceMesh::make(BrepFaceId face, const FaceGeometry& geometry,
     MeshBuilder builder(mesh, geometry, nodes, segments);
     for (const SurfaceFacet& facet : facets) builder.addFacet(facet);
     if (Result<void> linked = builder.linkAll(face); !linked) return linked.error();
+    builder.separateFans();
     return mesh;
 }
 

@@ -27,11 +27,15 @@ struct FaceVertex
     double size = std::numeric_limits<double>::infinity();  ///< the edge length wanted here
     double curvatureRadius = std::numeric_limits<double>::infinity();
     TriangleId triangle;  ///< one of those around it
-    NodeId node;          ///< in the mesh of the model; invalid as long as only this face knows the vertex
+    /// In the mesh of the model; invalid as long as only this face knows the vertex. Several vertices have one node where the
+    /// face touches itself in it.
+    NodeId node;
     bool isAlive = true;
     bool isFree = false;  ///< not on an edge or vertex of the model: refinement made it and may remove it
     bool isSingularU = false;
     bool isSingularV = false;
+    bool isOnShell =
+        false;  ///< free, and halves a side between two nodes of a shell around the apex of a small angle
 
     [[nodiscard]] static FaceVertex of(const SurfaceFacts& facts);
     /// Gives the normal up unless another image of the vertex has the same: a face may meet itself at an angle.

@@ -87,9 +87,7 @@ void FaceVertexRemoval::collectRing(VertexId v)
         const unsigned from = nextCorner(opposite.edge());
         removed_.push_back(t);
         ring_.push_back({record.v[from], record.uv[from] + shift});
-        leastAgreement_ =
-            std::min(leastAgreement_, normalAgreement(mesh_.vertex(record.v[0]), mesh_.vertex(record.v[1]),
-                                                      mesh_.vertex(record.v[2])));
+        leastAgreement_ = std::min(leastAgreement_, facetAgreement(geometry_, mesh_, t));
     });
 }
 
@@ -110,7 +108,8 @@ double FaceVertexRemoval::costOf(std::size_t ear) const
     const FaceVertex& a = mesh_.vertex(facet.v[0]);
     const FaceVertex& b = mesh_.vertex(facet.v[1]);
     const FaceVertex& c = mesh_.vertex(facet.v[2]);
-    if (normalAgreement(a, b, c) < leastAgreement_) return kNever;
+    if (facetAgreement(geometry_, a, facet.uv[0], b, facet.uv[1], c, facet.uv[2]) < leastAgreement_)
+        return kNever;
     if (ring_.size() == 3) return 0.0;
     if (mesh_.areJoined(facet.v[0], facet.v[2])) return kNever;
     double cost = -1.0;

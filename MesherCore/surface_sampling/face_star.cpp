@@ -86,7 +86,12 @@ void FaceStar::evaluateOnSide(EdgeLink side, const FaceVertex& vertex, Vec2 uv, 
 
 bool FaceStar::isOnPolygon(VertexId v) const
 {
-    const auto touches = [v](const StarSide& side) { return side.a == v || side.b == v; };
+    // Two vertices of one node are one corner to those who see nodes.
+    const NodeId node = mesh_.vertex(v).node;
+    const auto isSame = [&](VertexId other) {
+        return other == v || (node.isValid() && mesh_.vertex(other).node == node);
+    };
+    const auto touches = [&](const StarSide& side) { return isSame(side.a) || isSame(side.b); };
     return std::any_of(sides_.begin(), sides_.end(), touches) ||
            std::any_of(open_.begin(), open_.end(), touches);
 }
@@ -96,15 +101,28 @@ bool FaceStar::isToBeRemoved(const StarSide& side) const
     if (extent_ == StarExtent::Least || side.segment.isValid() || !side.outer.isValid()) return false;
     if (sides_.size() + open_.size() >= kMostSides) return false;
     const VertexId apex = mesh_.apex(side.outer);
+    const FaceTriangle& behind = mesh_.triangle(side.outer.triangle());
     const FaceVertex& a = mesh_.vertex(side.a);
     const FaceVertex& b = mesh_.vertex(side.b);
     const FaceVertex& c = mesh_.vertex(apex);
     if (oppositeAngleExcess(a.position, b.position, vertex_.position, c.position) <= kDelaunayTie)
         return false;
     if (isOnPolygon(apex)) return false;
-    const double after = std::min(normalAgreement(vertex_, a, c), normalAgreement(vertex_, c, b));
+    const Vec2 uvC = behind.uv[side.outer.edge()] + shiftBehind(side);
+    const double after = std::min(facetAgreement(geometry_, vertex_, side.uvVertex, a, side.uvA, c, uvC),
+                                  facetAgreement(geometry_, vertex_, side.uvVertex, c, uvC, b, side.uvB));
     if (after >= kLeastAgreement) return true;
-    return after >= std::min(normalAgreement(vertex_, a, b), normalAgreement(b, a, c));
+    return after >= std::min(facetAgreement(geometry_, vertex_, side.uvVertex, a, side.uvA, b, side.uvB),
+                             facetAgreement(geometry_, b, side.uvB, a, side.uvA, c, uvC));
+}
+
+/// Brings the triangle behind a side into the image of the side: by the corner that is no pole.
+Vec2 FaceStar::shiftBehind(const StarSide& side) const
+{
+    const FaceTriangle& record = mesh_.triangle(side.outer.triangle());
+    const unsigned a = previousCorner(side.outer.edge()), b = nextCorner(side.outer.edge());
+    return mesh_.vertex(record.v[a]).isPole() ? geometry_.shiftBetween(record.uv[b], side.uvB)
+                                              : geometry_.shiftBetween(record.uv[a], side.uvA);
 }
 
 void FaceStar::grow(const StarSide& side)
@@ -114,12 +132,8 @@ void FaceStar::grow(const StarSide& side)
         return;
     }
     const TriangleId t = side.outer.triangle();
-    const unsigned edge = side.outer.edge();
-    const FaceTriangle& record = mesh_.triangle(t);
-    // The image of the new triangle is that of the side: by the corner that is no pole.
-    const unsigned a = previousCorner(edge), b = nextCorner(edge);
-    const Vec2 shift = mesh_.vertex(record.v[a]).isPole() ? geometry_.shiftBetween(record.uv[b], side.uvB)
-                                                          : geometry_.shiftBetween(record.uv[a], side.uvA);
+    const unsigned a = previousCorner(side.outer.edge()), b = nextCorner(side.outer.edge());
+    const Vec2 shift = shiftBehind(side);
     addTriangle(t);
     // From a over the apex to b; the side opposite of b comes first.
     open_.push_back(sideOf(t, a, shift, side.uvVertex));
@@ -130,15 +144,12 @@ bool FaceStar::isFolded() const
 {
     double least = 1.0;
     for (const StarSide& side : sides_) {
-        least = std::min(least, normalAgreement(vertex_, mesh_.vertex(side.a), mesh_.vertex(side.b)));
+        least = std::min(least, facetAgreement(geometry_, vertex_, side.uvVertex, mesh_.vertex(side.a),
+                                               side.uvA, mesh_.vertex(side.b), side.uvB));
     }
     if (least >= kLeastAgreement) return false;
     double before = 1.0;
-    for (const TriangleId t : cavity_) {
-        const FaceTriangle& record = mesh_.triangle(t);
-        before = std::min(before, normalAgreement(mesh_.vertex(record.v[0]), mesh_.vertex(record.v[1]),
-                                                  mesh_.vertex(record.v[2])));
-    }
+    for (const TriangleId t : cavity_) before = std::min(before, facetAgreement(geometry_, mesh_, t));
     return least < before;
 }
 

@@ -74,6 +74,7 @@ private:
     void begin(const FaceVertex& vertex, Vec2 uv, StarExtent extent);
     void addTriangle(TriangleId t);
     [[nodiscard]] StarSide sideOf(TriangleId t, unsigned side, Vec2 shift, Vec2 uvVertex) const;
+    [[nodiscard]] Vec2 shiftBehind(const StarSide& side) const;
     void grow(const StarSide& side);
     [[nodiscard]] bool isToBeRemoved(const StarSide& side) const;
     [[nodiscard]] bool isOnPolygon(VertexId v) const;

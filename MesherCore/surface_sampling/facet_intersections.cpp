@@ -24,7 +24,8 @@ double coordinate(const Vec3& p, int axis) { return axis == 0 ? p.x : (axis == 1
 class FacetTree
 {
 public:
-    FacetTree(const BrepModel& model, const SurfaceMesh& mesh) : mesh_(mesh), isPlane_(model.faces.size())
+    FacetTree(const BrepModel& model, const SurfaceMesh& mesh, RunContext& context)
+        : mesh_(mesh), context_(context), isPlane_(model.faces.size())
     {
         for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
             isPlane_[f] = model.faces[BrepFaceId(f)].surface->kind() == SurfaceKind::Plane;
@@ -93,7 +94,9 @@ private:
     void findWithin(std::size_t index)
     {
         const Node& node = nodes_[index];
+        if (isCancelled()) return;
         if (node.isLeaf()) {
+            facetsDone_ += node.last - node.first;
             for (std::size_t i = node.first; i < node.last; ++i) {
                 for (std::size_t k = i + 1; k < node.last; ++k) testPair(items_[i], items_[k]);
             }
@@ -102,6 +105,15 @@ private:
         findWithin(node.child[0]);
         findWithin(node.child[1]);
         findBetween(node.child[0], node.child[1]);
+    }
+
+    bool isCancelled()
+    {
+        constexpr std::size_t kFacetsPerReport = 20'000;
+        if (facetsDone_ < reportedAt_ + kFacetsPerReport) return context_.isCancelled();
+        reportedAt_ = facetsDone_;
+        const double fraction = static_cast<double>(facetsDone_) / static_cast<double>(items_.size());
+        return !context_.reportProgress("intersections", fraction);
     }
 
     void findBetween(std::size_t i, std::size_t k)
@@ -163,6 +175,9 @@ private:
     }
 
     const SurfaceMesh& mesh_;
+    RunContext& context_;
+    std::size_t facetsDone_ = 0;
+    std::size_t reportedAt_ = 0;
     std::vector<bool> isPlane_;
     std::vector<Item> items_;
     std::vector<Node> nodes_;
@@ -171,9 +186,10 @@ private:
 
 }  // namespace
 
-std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh)
+std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh,
+                                                      RunContext& context)
 {
-    return FacetTree(model, mesh).run();
+    return FacetTree(model, mesh, context).run();
 }
 
 }  // namespace mesher

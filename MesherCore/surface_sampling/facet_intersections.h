@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/run_context.h"
 #include "base/vec.h"
 #include "brep/brep_model.h"
 #include "mesh/surface_mesh.h"
@@ -22,7 +23,8 @@ struct FacetIntersection
 /// facets are a triangulation of the plane.
 /// Guarantees   ascending in (first, second)
 /// Cost         O(n log n) for facets of bounded shape, by a tree of boxes
-[[nodiscard]] std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model,
-                                                                    const SurfaceMesh& mesh);
+/// Terminates   early, with those that were found, when the run is cancelled by its progress hook or otherwise
+[[nodiscard]] std::vector<FacetIntersection>
+findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh, RunContext& context);
 
 }  // namespace mesher

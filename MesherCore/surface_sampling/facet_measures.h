@@ -26,6 +26,25 @@ namespace mesher {
     return least / size;
 }
 
+/// As `normalAgreement`, and below any of its values for a facet that is flat or clockwise in the parameters: three nodes of
+/// one straight edge have a normal by rounding only. A pole's parameters tell nothing.
+[[nodiscard]] inline double facetAgreement(const FaceGeometry& geometry, const FaceVertex& a, Vec2 uvA,
+                                           const FaceVertex& b, Vec2 uvB, const FaceVertex& c, Vec2 uvC)
+{
+    constexpr double kTurnedOver = -2.0;
+    const bool isAtPole = a.isPole() || b.isPole() || c.isPole();
+    if (!isAtPole && !geometry.isCounterClockwise(uvA, uvB, uvC)) return kTurnedOver;
+    return normalAgreement(a, b, c);
+}
+
+/// That of a triangle of the mesh.
+[[nodiscard]] inline double facetAgreement(const FaceGeometry& geometry, const FaceMesh& mesh, TriangleId t)
+{
+    const FaceTriangle& record = mesh.triangle(t);
+    return facetAgreement(geometry, mesh.vertex(record.v[0]), record.uv[0], mesh.vertex(record.v[1]),
+                          record.uv[1], mesh.vertex(record.v[2]), record.uv[2]);
+}
+
 /// By how much the angles under which `c` and `d`, on its two sides, see the edge ab sum up to more than 180 degrees, in a
 /// unit that is about radians. Positive iff the edge is not locally Delaunay in the two triangles laid flat.
 [[nodiscard]] inline double oppositeAngleExcess(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)

@@ -14,6 +14,10 @@ namespace {
 
 /// Centres are taken whose surface looks away from the facet by no more than 60 degrees.
 constexpr double kLeastAgreement = 0.5;
+/// How far a projected centre may lie off the perpendicular, in circumradii or lengths of the edge.
+constexpr double kMostAside = 0.1;
+/// The difference of the halves of an edge, by their sum.
+constexpr double kMostUneven = 0.3;
 
 FacetShape shapeOf(const FaceMesh& mesh, TriangleId t)
 {
@@ -125,7 +129,11 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
     ++counts_.projectedCentres;
     const Vec2 inside = (1.0 / 3.0) * (record.uv[0] + record.uv[1] + record.uv[2]);
     const SurfaceFacts facts = geometry_.projected(*centre, inside);
-    if (squaredLength(facts.position - *centre) > shape.squaredRadius || looksAway(facts)) return {};
+    const Vec3 away = facts.position - *centre;
+    if (squaredLength(away) > shape.squaredRadius || looksAway(facts)) return {};
+    // At the end of the surface there is no foot of a perpendicular, only a nearest point.
+    const Vec3 aside = away - dot(away, facts.normal) * facts.normal;
+    if (squaredLength(aside) > kMostAside * kMostAside * shape.squaredRadius) return {};
     return facts;
 }
 
@@ -135,8 +143,12 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetN
     const FacetShape shape = shapeOf(mesh_, t);
     const double curvature = squaredCurvatureRadius(t);
     const bool mayHalve = need == FacetNeed::Size || 4.0 * shape.squaredSide[shape.longest] > curvature;
-    const auto halve = [&] { return mayHalve ? evaluateLongestEdge(t, extent) : FacetSplitStatus::NotFound; };
-    if (need == FacetNeed::Size && shape.squaredRadius > curvature) return evaluateLongestEdge(t, extent);
+    // Where the surface bends too much for its facets, the middle of the longest edge is always near.
+    const EdgeLink longest(t, shape.longest);
+    const auto halve = [&] {
+        return mayHalve ? evaluateMiddleOf(longest, extent) : FacetSplitStatus::NotFound;
+    };
+    if (need == FacetNeed::Size && shape.squaredRadius > curvature) return evaluateMiddleOf(longest, extent);
     const std::optional<SurfaceFacts> centre = findCentre(t);
     if (!centre) return halve();
     const FaceWalk walk = walkToPoint(mesh_, geometry_, t, centre->position);
@@ -161,12 +173,32 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetN
     return status == FacetSplitStatus::NotFound ? halve() : status;
 }
 
-/// Where the surface bends too much for its facets, the middle of the longest edge is always near.
-FacetSplitStatus FacetSplitter::evaluateLongestEdge(TriangleId t, StarExtent extent)
+FacetSplitStatus FacetSplitter::evaluateSide(EdgeLink side, StarExtent extent)
 {
-    const FaceTriangle& record = mesh_.triangle(t);
-    const FacetShape shape = shapeOf(mesh_, t);
-    const EdgeLink side(t, shape.longest);
+    encroached_.clear();
+    const FacetSplitStatus status = evaluateMiddleOf(side, extent);
+    const bool isOnlyNear = status == FacetSplitStatus::Encroaches && !mesh_.segment(side).isValid();
+    return isOnlyNear ? judgeFacetsOfStar() : status;
+}
+
+/// The foot of the middle of a side. Where the surface turns sharply the nearest point may be no foot but an end of the surface,
+/// or lie near one of the ends: then the point between them.
+SurfaceFacts FacetSplitter::middleOnSurface(const FaceTriangle& record, unsigned i, unsigned k) const
+{
+    const Vec3 &a = mesh_.position(record.v[i]), &b = mesh_.position(record.v[k]);
+    const Vec3 middle = 0.5 * (a + b);
+    const SurfaceFacts foot = geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]));
+    const Vec3 away = foot.position - middle;
+    const Vec3 aside = away - dot(away, foot.normal) * foot.normal;
+    const bool isFoot = squaredLength(aside) <= kMostAside * kMostAside * squaredLength(b - a);
+    const double toA = length(foot.position - a), toB = length(foot.position - b);
+    if (isFoot && std::abs(toA - toB) <= kMostUneven * (toA + toB)) return foot;
+    return geometry_.between(record.uv[i], a, record.uv[k], b);
+}
+
+FacetSplitStatus FacetSplitter::evaluateMiddleOf(EdgeLink side, StarExtent extent)
+{
+    const FaceTriangle& record = mesh_.triangle(side.triangle());
     if (mesh_.segment(side).isValid()) {
         encroached_.push_back(mesh_.segment(side));
         return FacetSplitStatus::Encroaches;
@@ -174,8 +206,9 @@ FacetSplitStatus FacetSplitter::evaluateLongestEdge(TriangleId t, StarExtent ext
     ++counts_.splitEdges;
     const unsigned i = nextCorner(side.edge()), k = previousCorner(side.edge());
     const Vec3 middle = 0.5 * (mesh_.position(record.v[i]) + mesh_.position(record.v[k]));
-    const SurfaceFacts facts = geometry_.projected(middle, 0.5 * (record.uv[i] + record.uv[k]));
-    if (4.0 * squaredLength(facts.position - middle) > shape.squaredSide[shape.longest]) {
+    const SurfaceFacts facts = middleOnSurface(record, i, k);
+    if (4.0 * squaredLength(facts.position - middle) >
+        squaredLength(mesh_.position(record.v[k]) - mesh_.position(record.v[i]))) {
         return FacetSplitStatus::NotFound;
     }
     star_.evaluateOnSide(side, vertexAt(facts), facts.parameters, extent, {});
@@ -190,7 +223,11 @@ FacetSplitStatus FacetSplitter::judgeStar()
         if (encroaches(point, mesh_.position(side.a), mesh_.position(side.b)))
             encroached_.push_back(side.segment);
     }
-    if (!encroached_.empty()) return FacetSplitStatus::Encroaches;
+    return encroached_.empty() ? judgeFacetsOfStar() : FacetSplitStatus::Encroaches;
+}
+
+FacetSplitStatus FacetSplitter::judgeFacetsOfStar()
+{
     if (star_.isFolded()) {
         ++counts_.foldedStars;
         return FacetSplitStatus::NotFound;

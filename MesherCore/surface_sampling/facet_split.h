@@ -50,6 +50,8 @@ public:
     /// For the sake of quality edges are halved only where facets are coarse for the surface's curvature: elsewhere that would
     /// make them small, not good.
     [[nodiscard]] FacetSplitStatus evaluate(TriangleId t, StarExtent extent, FacetNeed need);
+    /// The vertex in the middle of a side instead, though it may encroach on segments, unless the side is one itself.
+    [[nodiscard]] FacetSplitStatus evaluateSide(EdgeLink side, StarExtent extent);
     /// What a split that is Ready will do.
     [[nodiscard]] FaceStar& star() { return star_; }
     /// Segments between the facet and its new vertex, or in whose balls that would lie.
@@ -65,8 +67,10 @@ private:
     [[nodiscard]] EdgeLink nearestSide(TriangleId t, const Vec3& point) const;
     [[nodiscard]] double squaredCurvatureRadius(TriangleId t) const;
     [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);
-    [[nodiscard]] FacetSplitStatus evaluateLongestEdge(TriangleId t, StarExtent extent);
+    [[nodiscard]] SurfaceFacts middleOnSurface(const FaceTriangle& record, unsigned i, unsigned k) const;
+    [[nodiscard]] FacetSplitStatus evaluateMiddleOf(EdgeLink side, StarExtent extent);
     [[nodiscard]] FacetSplitStatus judgeStar();
+    [[nodiscard]] FacetSplitStatus judgeFacetsOfStar();
 
     FaceMesh& mesh_;
     const FaceGeometry& geometry_;

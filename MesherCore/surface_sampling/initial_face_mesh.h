@@ -1,6 +1,9 @@
 #pragma once
 
 #include "base/result.h"
+#include "base/run_context.h"
+#include "base/stop_reason.h"
+#include "base/time_left.h"
 #include "brep/brep_model.h"
 #include "mesh/surface_mesh.h"
 #include "surface_sampling/curve_chains.h"
@@ -85,15 +88,19 @@ struct InitialSurfaceMesh
     std::vector<std::pair<BrepFaceId, Error>> failures;
     std::size_t segmentSplits = 0;
     int rounds = 0;
+    StopReason stopReason =
+        StopReason::Done;  ///< Cancelled or TimeLimit: some faces have no facets and no failure then
 };
 
 /// Meshes all faces: in each round the faces whose chains changed propose splits, which are then made in the order of the
 /// segments, so that the result does not depend on the order of the faces.
 /// Guarantees   no two faces join the same two nodes by an edge that is no segment of both. Of a face that failed there are no
 ///              facets
+/// Terminates   by the options; cancellation and the limit of time are looked at before each face
 [[nodiscard]] InitialSurfaceMesh initialSurfaceMesh(const BrepModel& model, CurveChains& chains,
                                                     IdVector<NodeId, MeshNode>& nodes,
-                                                    const InitialFaceMeshOptions& options);
+                                                    const InitialFaceMeshOptions& options,
+                                                    RunContext& context, const TimeLeft& time);
 
 /// Chains, nodes and facets as one mesh, facets in the order of the faces.
 [[nodiscard]] SurfaceMesh assembleSurfaceMesh(const CurveChains& chains,

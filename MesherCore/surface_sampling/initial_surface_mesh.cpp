@@ -12,11 +12,13 @@ class RoundsOfFaces
 {
 public:
     RoundsOfFaces(const BrepModel& model, CurveChains& chains, IdVector<NodeId, MeshNode>& nodes,
-                  const InitialFaceMeshOptions& options)
+                  const InitialFaceMeshOptions& options, RunContext& context, const TimeLeft& time)
         : model_(model),
           chains_(chains),
           nodes_(nodes),
           options_(options),
+          context_(context),
+          time_(time),
           facesOf_(model.edges.size()),
           isStale_(model.faces.size(), std::uint8_t{1}),
           isGivenUp_(model.faces.size(), std::uint8_t{0}),
@@ -39,9 +41,11 @@ public:
         for (; result_.rounds < options_.maxRounds; ++result_.rounds) {
             std::vector<SegmentId> proposals;
             for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
+                if (!mayGoOn()) break;
                 if (isStale_[BrepFaceId(f)] != 0 && isGivenUp_[BrepFaceId(f)] == 0)
                     triangulate(BrepFaceId(f), proposals);
             }
+            if (result_.stopReason != StopReason::Done) break;
             if (proposals.empty() && !findSharedEdges()) break;
             split(proposals);
         }
@@ -50,6 +54,18 @@ public:
     }
 
 private:
+    bool mayGoOn()
+    {
+        if (time_.isOver()) result_.stopReason = StopReason::TimeLimit;
+        constexpr unsigned kFacesPerReport = 8;
+        const double fraction = 1.0 - 1.0 / (1.0 + result_.rounds);
+        const bool isCancelled = ++facesSeen_ % kFacesPerReport == 0
+                                     ? !context_.reportProgress("first facets", fraction)
+                                     : context_.isCancelled();
+        if (isCancelled) result_.stopReason = StopReason::Cancelled;
+        return result_.stopReason == StopReason::Done;
+    }
+
     void triangulate(BrepFaceId f, std::vector<SegmentId>& proposals)
     {
         isStale_[f] = 0;
@@ -153,7 +169,7 @@ private:
         for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
             const BrepFaceId f(i);
             InitialFaceMesh& mesh = result_.faces[f];
-            if (!errors_[f] && isStale_[f] != 0) {
+            if (!errors_[f] && isStale_[f] != 0 && result_.stopReason == StopReason::Done) {
                 errors_[f] = chainsTooCoarse(f, placeOf(f), options_.maxRounds);
             }
             if (errors_[f]) {
@@ -177,6 +193,9 @@ private:
     CurveChains& chains_;
     IdVector<NodeId, MeshNode>& nodes_;
     const InitialFaceMeshOptions& options_;
+    RunContext& context_;
+    const TimeLeft& time_;
+    std::uint64_t facesSeen_ = 0;
     IdVector<BrepEdgeId, std::vector<BrepFaceId>> facesOf_;
     IdVector<BrepFaceId, std::uint8_t> isStale_;
     IdVector<BrepFaceId, std::uint8_t> isGivenUp_;
@@ -190,9 +209,10 @@ private:
 
 InitialSurfaceMesh initialSurfaceMesh(const BrepModel& model, CurveChains& chains,
                                       IdVector<NodeId, MeshNode>& nodes,
-                                      const InitialFaceMeshOptions& options)
+                                      const InitialFaceMeshOptions& options, RunContext& context,
+                                      const TimeLeft& time)
 {
-    return RoundsOfFaces(model, chains, nodes, options).run();
+    return RoundsOfFaces(model, chains, nodes, options, context, time).run();
 }
 
 SurfaceMesh assembleSurfaceMesh(const CurveChains& chains, const IdVector<NodeId, MeshNode>& nodes,

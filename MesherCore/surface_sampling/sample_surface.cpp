@@ -98,6 +98,12 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     SurfaceSample sample;
     SurfaceSamplingCounts& counts = sample.counts;
 
+    const TimeLeft time(options.limits.maxTime);
+    const auto limitsNow = [&] {
+        BudgetLimits limits = options.limits;
+        limits.maxTime = time.now();
+        return limits;
+    };
     Clock::time_point start = Clock::now();
     IdVector<NodeId, MeshNode> nodes;
     Result<CurveChains> chains = sampleCurveChains(model, options.curves, nodes);
@@ -106,7 +112,8 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     sample.seconds.curves = secondsSince(start);
 
     start = Clock::now();
-    const InitialSurfaceMesh initial = initialSurfaceMesh(model, *chains, nodes, options.initial);
+    const InitialSurfaceMesh initial =
+        initialSurfaceMesh(model, *chains, nodes, options.initial, context, time);
     counts.initialVertices = nodes.size();
     for (const InitialFaceMesh& face : initial.faces) counts.initialFacets += face.facets.size();
     sample.seconds.initial = secondsSince(start);
@@ -114,7 +121,11 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     start = Clock::now();
     auto faces = std::make_unique<SampledFaces>(model, std::move(*chains), std::move(nodes), initial,
                                                 refinementOptions(model, options));
-    counts.rounds = faces->refine(options.limits, options.maxRounds, context);
+    if (initial.stopReason != StopReason::Done) {
+        counts.rounds.stopReason = initial.stopReason;
+    } else {
+        counts.rounds = faces->refine(limitsNow(), options.maxRounds, context);
+    }
     sample.failures = faces->failures();
     reportLostSegments(model, *faces, sample.failures);
     sample.stopReason = counts.rounds.stopReason;
@@ -123,7 +134,7 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
 
     start = Clock::now();
     if (options.maxCertificateRounds >= 0 && sample.stopReason == StopReason::Done) {
-        counts.certificate = certify(*sample.surface, options.limits, options.maxCertificateRounds, context);
+        counts.certificate = certify(*sample.surface, limitsNow(), options.maxCertificateRounds, context);
         sample.stopReason = counts.certificate.refinement.stopReason;
     }
     sample.seconds.certificate = secondsSince(start);

@@ -10,6 +10,8 @@ namespace {
 
 /// How often facets that were given up are tried again.
 constexpr int kMostSweeps = 3;
+/// Insertions in a face between two looks at the progress hook: a tenth of a second.
+constexpr std::uint64_t kOperationsPerReport = 30'000;
 
 }  // namespace
 
@@ -209,13 +211,50 @@ bool SampledFaces::queueGivenUp()
     return isAny;
 }
 
+/// False if the run is to end.
+bool SampledFaces::tellProgress(RunContext& context)
+{
+    std::size_t open = 0;
+    for (const auto& face : faces_) open += face ? face->refiner.openCount() : 0;
+    const auto done = static_cast<double>(vertexCount());
+    progress_ = std::max(progress_, done / (done + static_cast<double>(open) + 1.0));
+    return context.reportProgress("surfaces", progress_);
+}
+
+/// All active faces as far as they can without the segments they propose, by turns that are short enough to be cancelled.
+void SampledFaces::refineActive(const BudgetLimits& limits, const TimeLeft& time, SamplingRounds& result,
+                                RunContext& context)
+{
+    std::vector<SampledFace*> active = activeFaces();
+    for (SampledFace* face : active) face->refiner.queueWaiting();
+    BudgetLimits turn = limits;
+    turn.maxOperations = std::min(limits.maxOperations, kOperationsPerReport);
+    const bool isLastTurn = turn.maxOperations == limits.maxOperations;
+    while (!active.empty()) {
+        turn.maxTime = time.now();
+        forEachInParallel(active.size(), context.threads(), [&](std::size_t i) {
+            Budget budget(turn, context);
+            active[i]->stopReason = active[i]->refiner.refine(budget);
+        });
+        std::erase_if(active, [&](const SampledFace* face) {
+            const bool goesOn = face->stopReason == StopReason::OperationLimit && !isLastTurn;
+            if (!goesOn && face->stopReason != StopReason::Done) result.stopReason = face->stopReason;
+            return !goesOn;
+        });
+        if (vertexCount() >= limits.maxVertices) result.stopReason = StopReason::VertexLimit;
+        if (!tellProgress(context)) result.stopReason = StopReason::Cancelled;
+        if (result.stopReason != StopReason::Done) return;
+    }
+}
+
 SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, RunContext& context)
 {
     SamplingRounds result;
+    const TimeLeft time(limits.maxTime);
     prepareFaces(result, context);
     // Edges first: inside, facets are then judged beside edges that stay.
     std::vector<SegmentId> proposals = takeProposals();
-    while (!proposals.empty() && result.rounds < maxRounds && !context.isCancelled() &&
+    while (!proposals.empty() && result.rounds < maxRounds && tellProgress(context) && !time.isOver() &&
            vertexCount() < limits.maxVertices) {
         ++result.rounds;
         split(std::move(proposals), result, context.threads());
@@ -225,15 +264,7 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
         if (face) face->isActive = true;
     }
     for (int sweeps = 0;;) {
-        const std::vector<SampledFace*> active = activeFaces();
-        forEachInParallel(active.size(), context.threads(), [&](std::size_t i) {
-            Budget budget(limits, context);
-            active[i]->stopReason = active[i]->refiner.refine(budget);
-        });
-        for (const SampledFace* face : active) {
-            if (face->stopReason != StopReason::Done) result.stopReason = face->stopReason;
-        }
-        if (vertexCount() >= limits.maxVertices) result.stopReason = StopReason::VertexLimit;
+        refineActive(limits, time, result, context);
         proposals = takeProposals();
         if (result.stopReason != StopReason::Done) break;
         if (proposals.empty()) {
@@ -242,10 +273,6 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
         }
         if (result.rounds++ >= maxRounds) {
             result.stopReason = StopReason::OperationLimit;
-            break;
-        }
-        if (!context.reportProgress("surfaces", 1.0 - 1.0 / (1.0 + result.rounds))) {
-            result.stopReason = StopReason::Cancelled;
             break;
         }
         split(std::move(proposals), result, context.threads());

@@ -5,6 +5,7 @@
 #include "base/id_vector.h"
 #include "base/run_context.h"
 #include "base/stop_reason.h"
+#include "base/time_left.h"
 #include "brep/brep_model.h"
 #include "surface_sampling/curve_chains.h"
 #include "surface_sampling/face_flips.h"
@@ -95,6 +96,9 @@ private:
     [[nodiscard]] SegmentsByEnds segmentsOf(BrepFaceId f) const;
     void makeFace(BrepFaceId f, const InitialFaceMesh& initial, const IdVector<NodeId, MeshNode>& nodes,
                   const FaceRefinementOptions& options);
+    [[nodiscard]] bool tellProgress(RunContext& context);
+    void refineActive(const BudgetLimits& limits, const TimeLeft& time, SamplingRounds& result,
+                      RunContext& context);
     void prepareFaces(SamplingRounds& result, RunContext& context);
     [[nodiscard]] std::vector<SegmentId> takeProposals();
     bool queueGivenUp();
@@ -112,6 +116,7 @@ private:
     double floor_ = 0.0;
     double minAngle_ = 0.0;
     bool isPrepared_ = false;
+    double progress_ = 0.0;
 };
 
 }  // namespace mesher

@@ -274,8 +274,8 @@ bool SampledSurface::maySwap(FacetId first, FacetId second) const
 {
     const EdgeLink side = sideBetween(first, second);
     if (!side.isValid()) return false;
-    const FaceMesh& mesh = faces_->face(mesh_.facets[first].face)->mesh;
-    return obstacleToFlip(mesh, side) == FlipObstacle::None;
+    const SampledFace& face = *faces_->face(mesh_.facets[first].face);
+    return obstacleToFlip(face.mesh, face.geometry, side) == FlipObstacle::None;
 }
 
 std::array<FacetId, 2> SampledSurface::swap(FacetId first, FacetId second)

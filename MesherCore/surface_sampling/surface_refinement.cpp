@@ -45,7 +45,7 @@ FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const Fac
     for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {
         FaceVertex& vertex = mesh.vertex(VertexId(i));
         vertex.size = criteria_.sizeAt(vertex.position, vertex.curvatureRadius);
-        if (vertex.node.isValid()) vertexOf_.insert(vertex.node, VertexId(i));
+        if (vertex.node.isValid()) setVertexOf(vertex.node, VertexId(i));
     }
 }
 
@@ -62,10 +62,10 @@ FaceRefinementCounts FaceRefiner::counts() const
     return counts;
 }
 
-VertexId FaceRefiner::vertexOf(NodeId node) const
+void FaceRefiner::setVertexOf(NodeId node, VertexId v)
 {
-    const VertexId* known = vertexOf_.find(node);
-    return known != nullptr ? *known : VertexId();
+    verticesOf_[node].push_back(v);
+    ++boundVertices_;
 }
 
 // ---- what is to be done ----------------------------------------------------------------------------------------------
@@ -174,12 +174,16 @@ void FaceRefiner::proposeAround(VertexId v)
 
 // ---- the loop --------------------------------------------------------------------------------------------------------
 
-StopReason FaceRefiner::refine(Budget& budget)
+void FaceRefiner::queueWaiting()
 {
     for (const Waiting& waiting : std::exchange(waiting_, {})) {
         const FaceTriangle& record = mesh_.triangle(waiting.triangle);
         if (record.isAlive && record.generation == waiting.generation) queueTriangle(waiting.triangle);
     }
+}
+
+StopReason FaceRefiner::refine(Budget& budget)
+{
     for (;;) {
         const bool isSize = !sizeQueue_.empty();
         const auto entry = (isSize ? sizeQueue_ : qualityQueue_).pop();
@@ -204,7 +208,8 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
     const FaceTriangle& record = mesh_.triangle(t);
     const FacetShape shape =
         FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
-    if (isAtSmallAngle(record, shape)) {
+    const bool isLocked = isAtSmallAngle(record, shape);
+    if (isLocked && !record.isForced) {
         mesh_.triangle(t).left = FacetLeft::SmallAngle;
         return;
     }
@@ -213,9 +218,13 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         mesh_.triangle(t).left = FacetLeft::Resolution;
         return;
     }
-    const FacetSplitStatus status = splitter_.evaluate(t, StarExtent::Delaunay, need);
+    // Two faces in one small angle must not have the same facet there: one of them gets a vertex on the shell.
+    const FacetSplitStatus status =
+        isLocked ? splitter_.evaluateSide(EdgeLink(t, shape.shortest), StarExtent::Delaunay)
+                 : splitter_.evaluate(t, StarExtent::Delaunay, need);
     if (status == FacetSplitStatus::Ready) {
-        splitter_.star().commit();
+        const VertexId v = splitter_.star().commit();
+        mesh_.vertex(v).isOnShell = isLocked;
         queueMade(splitter_.star().made());
         ++(need == FacetNeed::Size ? counts_.sizeInsertions : counts_.qualityInsertions);
         return;
@@ -245,6 +254,10 @@ bool FaceRefiner::isAtSmallAngle(const FaceTriangle& record, const FacetShape& s
 {
     const FaceVertex& first = mesh_.vertex(record.v[nextCorner(shape.shortest)]);
     const FaceVertex& last = mesh_.vertex(record.v[previousCorner(shape.shortest)]);
+    if (first.isOnShell || last.isOnShell) {
+        const FaceVertex& apex = mesh_.vertex(record.v[shape.shortest]);
+        return !apex.isFree && (first.isOnShell || !first.isFree) && (last.isOnShell || !last.isFree);
+    }
     return !first.isFree && !last.isFree && boundary_.spansSmallAngle(first.node, last.node);
 }
 
@@ -252,10 +265,15 @@ bool FaceRefiner::isAtSmallAngle(const FaceTriangle& record, const FacetShape& s
 
 EdgeLink FaceRefiner::sideOf(const SegmentVertex& split) const
 {
-    const VertexId a = vertexOf(split.ends[0]), b = vertexOf(split.ends[1]);
-    if (!a.isValid() || !b.isValid()) return {};
-    for (const EdgeLink side : {mesh_.findSide(a, b), mesh_.findSide(b, a)}) {
-        if (side.isValid() && mesh_.segment(side) == split.segment) return side;
+    const auto* first = verticesOf_.find(split.ends[0]);
+    const auto* last = verticesOf_.find(split.ends[1]);
+    if (first == nullptr || last == nullptr) return {};
+    for (const VertexId a : *first) {
+        for (const VertexId b : *last) {
+            for (const EdgeLink side : {mesh_.findSide(a, b), mesh_.findSide(b, a)}) {
+                if (side.isValid() && mesh_.segment(side) == split.segment) return side;
+            }
+        }
     }
     return {};
 }
@@ -322,7 +340,8 @@ void FaceRefiner::flipAround(VertexId v)
     for (std::size_t flips = 0; !suspects.empty() && flips < kMostFlipsAround;) {
         const EdgeLink side = suspects.back();
         suspects.pop_back();
-        if (isLocallyDelaunay(mesh_, side) || obstacleToFlip(mesh_, side) != FlipObstacle::None) continue;
+        if (isLocallyDelaunay(mesh_, side) || obstacleToFlip(mesh_, geometry_, side) != FlipObstacle::None)
+            continue;
         const EdgeLink diagonal = flip(mesh_, geometry_, side);
         ++flips;
         for (const EdgeLink half : {diagonal, mesh_.across(diagonal)}) {
@@ -346,7 +365,7 @@ void FaceRefiner::insertOnSegment(const SegmentVertex& split)
     evaluateOnSide(side, split, StarExtent::Delaunay);
     const std::size_t forcedBefore = counts_.forcedStars;
     const VertexId v = splitter_.star().commit();
-    vertexOf_.insert(split.node, v);
+    setVertexOf(split.node, v);
     ++counts_.boundaryInsertions;
     if (counts_.forcedStars != forcedBefore) flipAround(v);
     mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) { queueTriangle(opposite.triangle()); });

@@ -82,8 +82,12 @@ public:
 
     /// Segments that are too long or encroached, as the mesh is: to be split before the inside is refined.
     void proposeSegments();
+    /// What waited for proposals is looked at again, whatever became of these.
+    void queueWaiting();
     /// Until nothing is left to do or all that is left waits for proposals.
     StopReason refine(Budget& budget);
+    /// Facets that are queued.
+    [[nodiscard]] std::size_t openCount() const { return sizeQueue_.size() + qualityQueue_.size(); }
     /// Ascending, each once.
     [[nodiscard]] std::vector<SegmentId> takeProposals();
     void insertOnSegment(const SegmentVertex& split);
@@ -99,10 +103,9 @@ public:
     [[nodiscard]] FacetSplitter& splitter() { return splitter_; }
     [[nodiscard]] FaceMesh& mesh() { return mesh_; }
     /// Vertices that no other face knows.
-    [[nodiscard]] std::size_t freeVertexCount() const { return mesh_.vertexCount() - vertexOf_.size(); }
-    /// The vertex of a node of the model's mesh.
-    [[nodiscard]] VertexId vertexOf(NodeId node) const;
-    void setVertexOf(NodeId node, VertexId v) { vertexOf_.insert(node, v); }
+    [[nodiscard]] std::size_t freeVertexCount() const { return mesh_.vertexCount() - boundVertices_; }
+    /// To be told of a vertex for a node of the model's mesh that was not made here.
+    void setVertexOf(NodeId node, VertexId v);
 
 private:
     struct Waiting
@@ -135,7 +138,9 @@ private:
     BucketQueue<TriangleId> qualityQueue_;
     std::vector<Waiting> waiting_;
     std::vector<SegmentId> proposals_;
-    IndexedMap<NodeId, VertexId> vertexOf_;
+    /// More than one where the face touches itself in the node.
+    IndexedMap<NodeId, std::vector<VertexId>> verticesOf_;
+    std::size_t boundVertices_ = 0;  ///< in `verticesOf_`
     FaceRefinementCounts counts_;
     bool hasGivenUp_ = false;
 };

@@ -211,6 +211,46 @@ void SampledSplitter::evaluateSegment(SegmentId segment, SurfaceSplitExtent exte
                     SurfaceSegment{{NodeId(), b}, record.edge, {}}};
 }
 
+namespace {
+
+/// The corner of a facet that another one does not have.
+unsigned ownCorner(const SurfaceFacet& facet, const SurfaceFacet& other)
+{
+    unsigned own = 0;
+    while (own < 2 && std::count(other.node.begin(), other.node.end(), facet.node[own]) > 0) ++own;
+    return own;
+}
+
+}  // namespace
+
+bool SampledSplitter::maySwap(FacetId first, FacetId second) const
+{
+    const SurfaceFacet &one = mesh_.facets[first], &two = mesh_.facets[second];
+    const unsigned own = ownCorner(one, two);
+    const NodeId a = one.node[(own + 1) % 3];
+    const NodeId b = one.node[(own + 2) % 3];
+    const NodeId apex = two.node[ownCorner(two, one)];
+    return one.face == two.face && !segmentAt(a, b).isValid() && behind(first, a, b) == second &&
+           facetsAt_.find(unorderedPair(one.node[own], apex)) == facetsAt_.end();
+}
+
+std::array<FacetId, 2> SampledSplitter::swap(FacetId first, FacetId second)
+{
+    SurfaceFacet one = mesh_.facets[first];
+    SurfaceFacet two = mesh_.facets[second];
+    const unsigned own = ownCorner(one, two), other = ownCorner(two, one);
+    for (const FacetId facet : {first, second}) {
+        attach(facet, false);
+        mesh_.facets[facet].face = BrepFaceId();
+    }
+    const NodeId left = one.node[own], right = two.node[other];
+    one.node[(own + 2) % 3] = right;
+    two.node[(other + 2) % 3] = left;
+    const std::array<FacetId, 2> added{mesh_.facets.push_back(one), mesh_.facets.push_back(two)};
+    for (const FacetId facet : added) attach(facet, true);
+    return added;
+}
+
 SurfaceSplitResult SampledSplitter::commit(const SurfaceSplit& split)
 {
     SurfaceSplitResult result;
@@ -383,21 +423,35 @@ SolidGeometry polyhedron(const std::vector<Plane>& planes, double tolerance)
 
 }  // namespace
 
-SampledSolid sampledBox(const Vec3& size, std::uint32_t cells, double scale)
+namespace {
+
+SampledSolid sampledGrid(const Vec3& size, const std::array<std::uint32_t, 3>& cells, double scale)
 {
     std::vector<Vec3> points;
-    const auto at = [&](std::uint32_t i, double extent) { return extent * i / cells; };
-    for (std::uint32_t i = 0; i <= cells; ++i) {
-        for (std::uint32_t j = 0; j <= cells; ++j) {
-            for (std::uint32_t k = 0; k <= cells; ++k) {
-                const bool isInner = i > 0 && i < cells && j > 0 && j < cells && k > 0 && k < cells;
-                if (!isInner) points.push_back({at(i, size.x), at(j, size.y), at(k, size.z)});
+    const auto [nx, ny, nz] = cells;
+    for (std::uint32_t i = 0; i <= nx; ++i) {
+        for (std::uint32_t j = 0; j <= ny; ++j) {
+            for (std::uint32_t k = 0; k <= nz; ++k) {
+                const bool isInner = i > 0 && i < nx && j > 0 && j < ny && k > 0 && k < nz;
+                if (!isInner) points.push_back({size.x * i / nx, size.y * j / ny, size.z * k / nz});
             }
         }
     }
     const std::vector<Plane> planes = {{{-1, 0, 0}, 0.0},   {{1, 0, 0}, size.x}, {{0, -1, 0}, 0.0},
                                        {{0, 1, 0}, size.y}, {{0, 0, -1}, 0.0},   {{0, 0, 1}, size.z}};
     return makeSampledSolid(points, polyhedron(planes, 1e-9 * size.x), size.x * size.y * size.z, scale);
+}
+
+}  // namespace
+
+SampledSolid sampledBox(const Vec3& size, std::uint32_t cells, double scale)
+{
+    return sampledGrid(size, {cells, cells, cells}, scale);
+}
+
+SampledSolid sampledPlate(double width, double thickness, std::uint32_t cells)
+{
+    return sampledGrid({width, width, thickness}, {cells, cells, 1}, 1.0);
 }
 
 SampledSolid sampledWedge(double width, double height, double length, std::uint32_t cells)

@@ -37,6 +37,8 @@ public:
     void evaluateFacet(FacetId facet, SurfaceSplitExtent extent, SurfaceSplit& split) override;
     [[nodiscard]] bool accepts(const SurfaceSplit& /*split*/) const override { return true; }
     SurfaceSplitResult commit(const SurfaceSplit& split) override;
+    [[nodiscard]] bool maySwap(FacetId first, FacetId second) const override;
+    std::array<FacetId, 2> swap(FacetId first, FacetId second) override;
 
 private:
     using Side = std::pair<NodeId, NodeId>;
@@ -74,6 +76,8 @@ SampledSolid makeSampledSolid(const std::vector<Vec3>& points, SolidGeometry geo
 
 /// A box with `cells` cells a side on each face.
 SampledSolid sampledBox(const Vec3& size, std::uint32_t cells, double scale = 1.0);
+/// A plate with `cells` cells a side on its two faces and one across.
+SampledSolid sampledPlate(double width, double thickness, std::uint32_t cells);
 /// A triangular prism with a right angle: legs `width` and `height`, `length` long, `cells` cells along the length. The
 /// angle between its base and its slope is atan(height / width).
 SampledSolid sampledWedge(double width, double height, double length, std::uint32_t cells);

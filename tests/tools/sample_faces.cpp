@@ -99,7 +99,8 @@ void sampleModel(const Settings& settings, const char* path, const mesher::BrepM
         return;
     }
     const double chained = userSeconds();
-    const auto initial = mesher::initialSurfaceMesh(model, *chains, nodes, {});
+    mesher::RunContext context;
+    const auto initial = mesher::initialSurfaceMesh(model, *chains, nodes, {}, context, mesher::TimeLeft({}));
     const double meshed = userSeconds();
     const mesher::SurfaceMesh mesh = mesher::assembleSurfaceMesh(*chains, nodes, initial);
     const mesher::SurfaceCheck check = mesher::checkSurfaceMesh(model, mesh);

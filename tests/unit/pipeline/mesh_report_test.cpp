@@ -35,6 +35,28 @@ TEST(MeshReport, HasTheKeysThatProgramsReadOfAVolumeMesh)
     EXPECT_TRUE(json.contains("versions") && json.contains("model"));
 }
 
+TEST(MeshReport, ListsTheFirstPlacesOfElementsLeftBad)
+{
+    MeshReport report;
+    for (std::uint64_t i = 0; i < 60; ++i)
+        report.left.push_back({"Face1 and Face2 meet at Edge3 at 12 degrees",
+                               {"Edge3"},
+                               100 - i,
+                               3.5,
+                               170.0,
+                               {1, 2, 3},
+                               "round it"});
+    const auto left = nlohmann::json::parse(toJson(report))["left"];
+    EXPECT_EQ(left["count"], 60 * 100 - 59 * 60 / 2);
+    ASSERT_EQ(left["places"].size(), 50u);
+    std::uint64_t listed = 0;
+    for (const auto& place : left["places"]) listed += place["count"].get<std::uint64_t>();
+    EXPECT_EQ(left["not_listed"], left["count"].get<std::uint64_t>() - listed);
+    EXPECT_EQ(left["places"][0]["entities"], std::vector<std::string>{"Edge3"});
+    EXPECT_EQ(left["places"][0]["min_dihedral"], 3.5);
+    EXPECT_EQ(left["places"][0]["point"], (std::vector<double>{1.0, 2.0, 3.0}));
+}
+
 TEST(MeshReport, HasAnglesOfAPlaneMesh)
 {
     MeshReport report;

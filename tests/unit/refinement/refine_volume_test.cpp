@@ -75,6 +75,8 @@ TEST_P(RefineVolume, ReachesTheAnglesAndKeepsTheInvariants)
     EXPECT_GE(range.least, 18.0);
     EXPECT_LE(range.most, 155.0);
     EXPECT_EQ(result.tets, meshedTets(solid).size());
+    EXPECT_EQ(countNonDelaunayFaces(solid.tetrahedralization.mesh(), DelaunayPart::Inside), 0u);
+    EXPECT_EQ(result.counts.nonDelaunayFaces, 0u);
     // Splitting a curved surface brings the volume nearer to the exact one.
     EXPECT_LE(std::abs(meshedVolume(solid) - solid.volume), std::abs(before - solid.volume) + 1e-12);
 }
@@ -288,6 +290,16 @@ TEST(RefineVolumeSmallAngles, AreBlamedForWhatIsLeft)
         ASSERT_TRUE(left.angle.has_value());
         EXPECT_LT(left.angle->degrees, 60.0);
     }
+    std::uint64_t told = 0;
+    for (const LeftPlace3d& place : result.places) {
+        told += place.count;
+        EXPECT_EQ(place.reason, LeftReason3d::SmallInputAngle);
+        EXPECT_LT(place.leastDihedral, 18.7);
+        // An edge between two faces, or a vertex between two edges.
+        EXPECT_EQ(place.entity[1].dimension, place.entity[0].dimension + 1);
+        EXPECT_LT(place.entity[1], place.entity[2]);
+    }
+    EXPECT_EQ(told, result.left.size());
 }
 
 TEST(RefineVolumeFuzz, KeepsTheInvariantsForRandomSolids)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "delaunay/constrained_check.h"
 #include "quality/tet_measures.h"
 #include "refinement/refine_volume.h"
 #include "refinement/refinement_check.h"

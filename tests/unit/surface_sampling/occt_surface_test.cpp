@@ -1,5 +1,6 @@
 #include "brep/occt/read_model.h"
 #include "sizing/uniform_size.h"
+#include "surface_sampling/sample_surface.h"
 #include "unit/brep/occt_models.h"
 #include "unit/surface_sampling/sampled_model.h"
 
@@ -18,6 +19,9 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -227,6 +231,49 @@ TEST(OcctSurfaces, KeepsAHoleInsideOfTheRim)
     EXPECT_GT(sampled.initial.segmentSplits, 0u);
     const double exact = kPi * (100.0 - 0.04);
     EXPECT_NEAR(checkSurfaceMesh(sampled.model, sampled.mesh).volumes[BrepSolidId(0)], exact, 0.12 * exact);
+}
+
+/// A tapered wing with a round nose a hundred times narrower than it is long, and a sharp trailing edge.
+TopoDS_Shape wing()
+{
+    const auto section = [](double chord, double x, double y) {
+        constexpr int kPoints = 16;
+        TColgp_Array1OfPnt upper(1, kPoints), lower(1, kPoints);
+        for (int i = 0; i < kPoints; ++i) {
+            const double s = 0.5 * (1.0 - std::cos(kPi * i / (kPoints - 1.0)));
+            const double height = 0.13 * (std::sqrt(s) - s) * chord;
+            upper.SetValue(i + 1, gp_Pnt(x + s * chord, y, height));
+            lower.SetValue(i + 1, gp_Pnt(x + s * chord, y, -height));
+        }
+        BRepBuilderAPI_MakeWire wire(
+            BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(GeomAPI_PointsToBSpline(upper).Curve())).Edge());
+        const TopoDS_Edge above = wire.Edge();
+        wire.Add(BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(GeomAPI_PointsToBSpline(lower).Curve()),
+                                         TopExp::FirstVertex(above), TopExp::LastVertex(above))
+                     .Edge());
+        return wire.Wire();
+    };
+    BRepOffsetAPI_ThruSections sections(true, true);
+    sections.AddWire(section(300.0, 0.0, 0.0));
+    sections.AddWire(section(150.0, 200.0, 500.0));
+    sections.CheckCompatibility(false);
+    return sections.Shape();
+}
+
+TEST(OcctSurfaces, AreRefinedWithoutFoldsAlongASharpNose)
+{
+    const auto read = readModelFromShape(wing());
+    ASSERT_TRUE(read) << describe(read.error());
+    SurfaceSamplingOptions options;
+    options.facets.maxSize = 80.0;
+    options.facets.elementsPerTurn = 12.0;
+    options.curves.segmentsPerTurn = 12.0;
+    RunContext context;
+    const auto sample = sampleSurface(read->model, options, context);
+    ASSERT_TRUE(sample) << describe(sample.error());
+    EXPECT_EQ(sample->stopReason, StopReason::Done);
+    EXPECT_EQ(sample->counts.certificate.found, 0u);
+    EXPECT_EQ(checkSurfaceMesh(read->model, sample->surface->mesh()).problem(), "");
 }
 
 TEST(OcctSurfaces, AreMeshedSoundlyOnNarrowFillets)

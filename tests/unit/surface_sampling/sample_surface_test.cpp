@@ -2,6 +2,7 @@
 
 #include "brep/analytic/solids.h"
 #include "quality/triangle_measures.h"
+#include "support/model_union.h"
 #include "surface_sampling/face_mesh_check.h"
 #include "surface_sampling/facet_intersections.h"
 #include "surface_sampling/surface_check.h"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace mesher::test {
 namespace {
@@ -133,18 +136,50 @@ TEST(SampleSurface, EndsAtTheLimitOfVerticesWithASoundMesh)
     expectSound(*model, *result->surface);
 }
 
-TEST(SampleSurface, EndsWhenCancelled)
+/// A run whose progress hook ends it when a stage is told the second time.
+StopReason stopReasonWhenCancelledIn(const BrepModel& model, std::string_view stage, int& callsAfter)
 {
-    const Result<BrepModel> model = makeCylinder(Axes{}, 1.0, 3.0);
-    ASSERT_TRUE(model.hasValue());
     SurfaceSamplingOptions options;
     options.facets.maxSize = 0.02;
+    int calls = 0;
+    callsAfter = 0;
+    RunSettings settings;
+    settings.progress = [&](std::string_view told, double fraction) {
+        EXPECT_TRUE(0.0 <= fraction && fraction <= 1.0);
+        if (calls >= 2) ++callsAfter;
+        calls += told == stage ? 1 : 0;
+        return calls < 2;
+    };
+    RunContext context(settings);
+    const Result<SurfaceSample> result = sampleSurface(model, options, context);
+    EXPECT_TRUE(result.hasValue());
+    if (result && stage != "first facets") expectSound(model, *result->surface);
+    return result ? result->stopReason : StopReason::Done;
+}
+
+TEST(SampleSurface, EndsInEachStageWhenItIsCancelled)
+{
+    BrepModel model = *makeCylinder(Axes{}, 1.0, 3.0);
+    for (int i = 1; i < 8; ++i) {
+        model = together(std::move(model), *makeCylinder({{3.0 * i, 0.0, 0.0}}, 1.0, 3.0));
+    }
+    for (const std::string_view stage : {"first facets", "surfaces", "intersections"}) {
+        int callsAfter = 0;
+        EXPECT_EQ(stopReasonWhenCancelledIn(model, stage, callsAfter), StopReason::Cancelled) << stage;
+        EXPECT_EQ(callsAfter, 0) << stage;
+    }
+}
+
+TEST(SampleSurface, SharesOneTimeLimitAmongItsStages)
+{
+    const Result<BrepModel> model = makeCylinder(Axes{}, 1.0, 3.0);
+    SurfaceSamplingOptions options;
+    options.limits.maxTime = TimeLeft::Clock::duration::zero();
     RunContext context;
-    context.requestCancel();
     const Result<SurfaceSample> result = sampleSurface(*model, options, context);
     ASSERT_TRUE(result.hasValue());
-    EXPECT_EQ(result->stopReason, StopReason::Cancelled);
-    expectSound(*model, *result->surface);
+    EXPECT_EQ(result->stopReason, StopReason::TimeLimit);
+    EXPECT_TRUE(result->failures.empty()) << "no face is at fault";
 }
 
 TEST(SampleSurface, RefusesOptionsOutOfRange)
@@ -162,35 +197,6 @@ TEST(SampleSurface, RefusesOptionsOutOfRange)
     EXPECT_FALSE(sampleSurface(*model, options, context).hasValue());
 }
 
-/// Two solids in one model that do not know of each other.
-BrepModel together(BrepModel first, const BrepModel& second)
-{
-    const auto vertices = static_cast<std::uint32_t>(first.vertices.size());
-    const auto edges = static_cast<std::uint32_t>(first.edges.size());
-    const auto faces = static_cast<std::uint32_t>(first.faces.size());
-    for (const BrepVertex& vertex : second.vertices) first.vertices.push_back(vertex);
-    for (BrepEdge edge : second.edges) {
-        edge.first.value += vertices;
-        edge.last.value += vertices;
-        first.edges.push_back(edge);
-    }
-    for (BrepFace face : second.faces) {
-        for (BrepLoop& loop : face.loops) {
-            for (BrepCoedge& coedge : loop.coedges) coedge.edge.value += edges;
-        }
-        first.faces.push_back(face);
-    }
-    for (BrepSolid solid : second.solids) {
-        for (BrepShell& shell : solid.shells) {
-            for (BrepShellFace& face : shell.faces) face.face.value += faces;
-        }
-        first.solids.push_back(solid);
-    }
-    first.box.include(second.box.low);
-    first.box.include(second.box.high);
-    return first;
-}
-
 TEST(SurfaceCertificate, RefinesAThinShellUntilItsWallsDoNotCross)
 {
     const BrepModel model =
@@ -201,13 +207,13 @@ TEST(SurfaceCertificate, RefinesAThinShellUntilItsWallsDoNotCross)
     RunContext context;
     const Result<SurfaceSample> coarse = sampleSurface(model, options, context);
     ASSERT_TRUE(coarse.hasValue());
-    EXPECT_FALSE(findFacetIntersections(model, coarse->surface->mesh()).empty()) << "nothing to do";
+    EXPECT_FALSE(findFacetIntersections(model, coarse->surface->mesh(), context).empty()) << "nothing to do";
     options.maxCertificateRounds = 20;
     const Result<SurfaceSample> result = sampleSurface(model, options, context);
     ASSERT_TRUE(result.hasValue());
     EXPECT_GT(result->counts.certificate.found, 0u);
     EXPECT_EQ(result->counts.certificate.left, 0u);
-    EXPECT_TRUE(findFacetIntersections(model, result->surface->mesh()).empty());
+    EXPECT_TRUE(findFacetIntersections(model, result->surface->mesh(), context).empty());
     EXPECT_GT(result->counts.vertices, coarse->counts.vertices);
     expectSound(model, *result->surface);
 }
@@ -224,8 +230,7 @@ TEST(SurfaceCertificate, NamesTheFacesThatCross)
     ASSERT_TRUE(result.hasValue());
     ASSERT_EQ(result->counts.certificate.errors.size(), 1u);
     const Error& error = result->counts.certificate.errors.front();
-    EXPECT_NE(error.message.find("Face1"), std::string::npos);
-    EXPECT_NE(error.message.find("Face2"), std::string::npos);
+    EXPECT_EQ(error.entity, "Face1 and Face2");
     ASSERT_TRUE(error.point.has_value());
     EXPECT_NEAR(error.point->x, 0.25, 0.3) << "the spheres cross in the plane x = 0.25";
 }
@@ -280,6 +285,55 @@ TEST(SampledSurface, StaysSoundThroughSplitsOfFacetsAndSegments)
             Result<SurfaceSample> result = sample(named.model, 1.4 * named.size);
             ASSERT_TRUE(result.hasValue());
             splitManyTimes(named.model, *result->surface, extent);
+        }
+    }
+}
+
+/// Swaps diagonals all over the surface and back, so that it ends as good as it was.
+std::size_t swapManyTimes(SampledSurface& surface)
+{
+    const SurfaceMesh& mesh = surface.mesh();
+    std::size_t swaps = 0;
+    const auto facets = static_cast<std::uint32_t>(mesh.facets.size());
+    for (std::uint32_t i = 0; i < facets; ++i) {
+        for (std::uint32_t k = i + 1; k < facets && mesh.facets[FacetId(i)].isAlive(); ++k) {
+            if (!mesh.facets[FacetId(k)].isAlive() || !surface.maySwap(FacetId(i), FacetId(k))) continue;
+            const BrepFaceId face = mesh.facets[FacetId(i)].face;
+            const auto made = surface.swap(FacetId(i), FacetId(k));
+            EXPECT_FALSE(mesh.facets[FacetId(i)].isAlive() || mesh.facets[FacetId(k)].isAlive());
+            EXPECT_EQ(mesh.facets[made[0]].face, face);
+            EXPECT_EQ(mesh.facets[made[1]].face, face);
+            EXPECT_TRUE(surface.maySwap(made[0], made[1]));
+            surface.swap(made[0], made[1]);
+            ++swaps;
+        }
+    }
+    return swaps;
+}
+
+TEST(SampledSurface, StaysSoundThroughSwapsOfDiagonals)
+{
+    for (const NamedModel& named : ordinarySolids()) {
+        SCOPED_TRACE(named.name);
+        Result<SurfaceSample> result = sample(named.model, 1.4 * named.size);
+        ASSERT_TRUE(result.hasValue());
+        EXPECT_GT(swapManyTimes(*result->surface), 20u);
+        expectSound(named.model, *result->surface);
+        // Splits find the facets that swaps have made.
+        splitManyTimes(named.model, *result->surface, SurfaceSplitExtent::Delaunay);
+    }
+}
+
+TEST(SampledSurface, SwapsNoDiagonalAcrossAnEdgeOfTheModel)
+{
+    const BrepModel model = *makeBox({-1.0, 0.0, 0.5}, {0.0, 2.0, 1.0});
+    Result<SurfaceSample> result = sample(model, 0.5);
+    ASSERT_TRUE(result.hasValue());
+    const SurfaceMesh& mesh = result->surface->mesh();
+    for (std::uint32_t i = 0; i < mesh.facets.size(); ++i) {
+        for (std::uint32_t k = 0; k < mesh.facets.size(); ++k) {
+            if (mesh.facets[FacetId(i)].face == mesh.facets[FacetId(k)].face) continue;
+            EXPECT_FALSE(result->surface->maySwap(FacetId(i), FacetId(k)));
         }
     }
 }

@@ -30,7 +30,9 @@ inline void sampleInto(SampledModel& sampled, BrepModel model, const CurveChainO
     auto chains = sampleCurveChains(sampled.model, chainOptions, sampled.nodes);
     ASSERT_TRUE(chains) << describe(chains.error());
     sampled.chains = std::move(*chains);
-    sampled.initial = initialSurfaceMesh(sampled.model, sampled.chains, sampled.nodes, options);
+    RunContext context;
+    sampled.initial =
+        initialSurfaceMesh(sampled.model, sampled.chains, sampled.nodes, options, context, TimeLeft({}));
     for (const auto& [face, error] : sampled.initial.failures) ADD_FAILURE() << describe(error);
     sampled.mesh = assembleSurfaceMesh(sampled.chains, sampled.nodes, sampled.initial);
 }

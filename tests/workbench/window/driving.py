@@ -124,7 +124,7 @@ class Panel:
     def is_idle(self):
         return find(QtGui.QPushButton, "meshButton").isEnabled()
 
-    def run(self, seconds=60.0):
+    def run(self, seconds=150.0):
         """Meshes; the fractions and stages that the panel showed, and the longest time that the window was dead."""
         bar = find(QtGui.QProgressBar, "progress")
         fractions, stages, longest = [], [], 0.0

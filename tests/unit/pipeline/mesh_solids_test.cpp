@@ -1,0 +1,93 @@
+#include "pipeline/mesh_solids.h"
+
+#include "brep/analytic/solids.h"
+#include "pipeline/model_check.h"
+#include "support/model_union.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace mesher::test {
+namespace {
+
+/// One solid of both, as CAD programs write a body that touches itself.
+BrepModel oneSolidOf(BrepModel first, const BrepModel& second)
+{
+    BrepModel model = together(std::move(first), second);
+    BrepSolid both = model.solids[BrepSolidId(0)];
+    both.shells.push_back(model.solids[BrepSolidId(1)].shells.front());
+    model.solids.clear();
+    model.solids.push_back(both);
+    return model;
+}
+
+bool isTold(const MeshReport& report, const std::string& text)
+{
+    return std::any_of(report.warnings.begin(), report.warnings.end(),
+                       [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
+}
+
+void expectMeshOfVolume(const BrepModel& model, double volume, const std::string& note)
+{
+    MeshOptions options;
+    options.size = 0.4;
+    options.isChecked = true;
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+    for (const Error& error : outcome.report.failures) ADD_FAILURE() << describe(error);
+    ASSERT_TRUE(outcome.mesh);
+    EXPECT_NEAR(outcome.report.meshVolume, volume, 1e-9);
+    EXPECT_TRUE(isTold(outcome.report, note));
+    const ModelCheckReport check = checkAgainstModel(*outcome.mesh, model);
+    EXPECT_TRUE(check.problems().empty()) << check.problems().front();
+}
+
+TEST(MeshSolids, MeshesASolidThatTouchesItselfAlongAnEdge)
+{
+    expectMeshOfVolume(oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 0.0}, {2.0, 2.0, 1.0})),
+                       2.0, "Edge");
+}
+
+TEST(MeshSolids, MeshesASolidThatTouchesItselfInAVertex)
+{
+    expectMeshOfVolume(oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0})),
+                       2.0, "Vertex");
+}
+
+TEST(ModelCheck, SeesATriangleThatNamesAnotherFace)
+{
+    const BrepModel model = *makeBox({}, {1.0, 1.0, 1.0});
+    MeshOptions options;
+    options.size = 0.5;
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+    ASSERT_TRUE(outcome.mesh);
+    EXPECT_TRUE(checkAgainstModel(*outcome.mesh, model).isValid());
+    ClassifiedMesh mesh = *outcome.mesh;
+    mesh.triangles.front().entity.index = (mesh.triangles.front().entity.index + 1) % 6;
+    EXPECT_EQ(checkAgainstModel(mesh, model).trianglesOff, 1u);
+}
+
+TEST(MeshSolids, NamesTheFacesWhereASolidCrossesItself)
+{
+    MeshOptions options;
+    options.size = 0.4;
+    RunContext context;
+    const BrepModel model =
+        oneSolidOf(*makeBox({}, {1.0, 1.0, 1.0}), *makeBox({0.5, 0.3, 0.2}, {2.0, 2.0, 2.0}));
+    const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+    EXPECT_NE(outcome.report.status, MeshReport::Status::Done);
+    EXPECT_TRUE(!outcome.mesh || outcome.mesh->tets.empty()) << "the surfaces alone may be kept";
+    ASSERT_FALSE(outcome.report.failures.empty());
+    const Error& error = outcome.report.failures.front();
+    EXPECT_EQ(error.code, ErrorCode::IntersectingConstraints);
+    EXPECT_NE(error.entity.find(" and Face"), std::string::npos) << error.entity;
+    EXPECT_TRUE(error.point.has_value());
+    EXPECT_FALSE(error.remedy.empty());
+}
+
+}  // namespace
+}  // namespace mesher::test
