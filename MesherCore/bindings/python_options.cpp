@@ -154,6 +154,7 @@ const std::map<std::string, Setter>& setters()
         {"threads", setterOf(&MeshOptions::threads)},
         {"max_elements", setterOf(&MeshOptions::maxElements)},
         {"max_wall_elements", setterOf(&MeshOptions::maxWallElements)},
+        {"allow_overlap", setterOf(&MeshOptions::allowsOverlap)},
         {"timeout", setterOf(&MeshOptions::timeout)},
         {"check", setterOf(&MeshOptions::isChecked)},
     };

@@ -54,6 +54,8 @@ po::options_description meshingOptions()
     add("order", po::value<std::string>(), "of elements, 1 or 2 (default 1)");
     add("threads", po::value<std::string>(), "the mesh does not depend on it (default 1)");
     add("max-elements", po::value<std::string>(), "the run ends there (default 50000000)");
+    add("allow-overlap", po::bool_switch(),
+        "mesh solids that overlap, each for itself, instead of refusing them");
     add("max-wall-elements", po::value<std::string>(),
         "that thin walls may take; walls that take more get flat ones (default 1000000)");
     add("timeout", po::value<std::string>(), "seconds after which the run ends");
@@ -111,6 +113,7 @@ void readMeshOptions(OptionReader& reader, MeshOptions& options)
     reader.read("threads", options.threads);
     reader.read("max-elements", options.maxElements);
     reader.read("max-wall-elements", options.maxWallElements);
+    options.allowsOverlap = reader.isSet("allow-overlap");
     reader.read("timeout", options.timeout);
 }
 

@@ -36,19 +36,31 @@ std::string namesOf(const SampledComponent& a, const SampledComponent& b, const 
     return nameOf(std::min(first, second)) + " and " + nameOf(std::max(first, second));
 }
 
-void tell(const SolidContact& contact, const std::string& names, MeshReport& report)
+void warn(const Error& error, MeshReport& report)
 {
-    if (contact.isOverlap) {
-        fail(report, {ErrorCode::IntersectingConstraints, "the solids overlap", names, contact.place,
-                      "cut one from the other or fuse them in the CAD program"});
-        return;
-    }
-    const Error touch = {ErrorCode::InvalidArgument,
-                         "the solids touch without a common face, so their meshes do not fit together there",
-                         names, contact.place, "make them share it, by boolean fragments for one"};
-    std::string clause = describe(touch);
+    std::string clause = describe(error);
     clause.pop_back();
     report.warnings.push_back(std::move(clause));
+}
+
+void tell(const SolidContact& contact, const std::string& names, MeshReport& report)
+{
+    if (!contact.isOverlap) {
+        warn({ErrorCode::InvalidArgument,
+              "the solids touch without a common face, so their meshes do not fit together there", names,
+              contact.place, "make them share it, by boolean fragments for one"},
+             report);
+        return;
+    }
+    Error overlap = {ErrorCode::IntersectingConstraints, "the solids overlap", names, contact.place,
+                     "cut one from the other or fuse them in the CAD program"};
+    if (report.options.allowsOverlap) {
+        overlap.message += ", and each has a mesh of its own there";
+        warn(overlap, report);
+    } else {
+        overlap.remedy += ", or allow overlap, which gives each a mesh of its own";
+        fail(report, overlap);
+    }
 }
 
 /// The surface of each group, made where another group is near.
@@ -102,7 +114,7 @@ bool tellContacts(std::span<const SampledComponent> components, MeshReport& repo
             const ComponentSurface& b = surfaces.at(j);
             const std::optional<SolidContact> contact = findContact(a, b, toleranceBetween(a, b));
             if (!contact) continue;
-            isFree = isFree && !contact->isOverlap;
+            isFree = isFree && (report.options.allowsOverlap || !contact->isOverlap);
             tell(*contact, namesOf(components[i], components[j], *contact), report);
         }
     }

@@ -17,9 +17,10 @@ struct SampledComponent
     const RegionSides* sides = nullptr;
 };
 
-/// Compares groups of solids that share no entity, pair by pair: those that overlap fail the run, those that touch are told as
+/// Compares groups of solids that share no entity, pair by pair: those that overlap fail the run unless
+/// the options allow of it, those that touch are told as
 /// a warning, since their meshes are not led through; both with the names of two solids and a place.
-/// Returns      whether none overlap
+/// Returns      whether none overlap that must not
 /// Cost         boxes of all pairs; see solid_contacts.h for those that are near
 [[nodiscard]] bool tellContacts(std::span<const SampledComponent> components, MeshReport& report);
 

@@ -52,6 +52,8 @@ struct MeshOptions
     /// Tetrahedra that thin walls may take beyond those of the sizes; walls that take more are left with flat ones.
     /// 0 … 10^9. DEFAULT: 1 million
     std::uint64_t maxWallElements = 1'000'000;
+    bool allowsOverlap =
+        false;  ///< solids that overlap are meshed each for itself, with a warning. DEFAULT: false
     std::optional<double> timeout;  ///< seconds, > 0. DEFAULT: none
     bool isChecked = false;  ///< the mesh is checked as a whole before it is handed out. DEFAULT: false
     ///@}

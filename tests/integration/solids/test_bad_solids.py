@@ -108,6 +108,15 @@ class SolidsInContact(Case):
                 self.assertRegex(told[0], r"^Solid1 and Solid2 at \(.*\): the solids touch without a common face, .*; .+")
                 self.assertIn("Solid1 and Solid2", run.stderr)
 
+    def test_overlap_is_meshed_where_it_is_allowed(self):
+        for name in ("crossing_boxes", "ball_in_box"):
+            with self.subTest(model=name):
+                run = self.run_mesher(MODELS / f"{name}.brep", "--size", 0.3, "--allow-overlap", "-o", "m.msh", "--report", "r.json")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                report = json.loads((self.folder / "r.json").read_text())
+                self.assertRegex(report["warnings"][0], r"^Solid1 and Solid2 at \(.*\): the solids overlap, and each has a mesh .*; .+")
+                self.assertAlmostEqual(report["mesh"]["volume"] / report["model"]["volume"], 1.0, delta=0.1)
+
     def test_nothing_is_told_of_others(self):
         for name in APART:
             with self.subTest(model=name):

@@ -48,7 +48,7 @@ TEST(ConstrainedFlips3d, MakeASpoiltTriangulationTheDelaunayOneAgain)
         RunContext context;
         Budget budget({}, context);
         ConstrainedFlips3d flips(delaunay, DelaunayPart::Everywhere);
-        flips.pushAll();
+        flips.pushAll(budget);
         flips.flipAndFill(budget);
         EXPECT_TRUE(flips.stuck().empty());
         EXPECT_EQ(countNonDelaunayFaces(delaunay.triangulation(), DelaunayPart::Everywhere), 0u);
@@ -68,7 +68,7 @@ TEST(ConstrainedFlips3d, LeaveOtherPartsAlone)
     RunContext context;
     Budget budget({}, context);
     ConstrainedFlips3d flips(delaunay, DelaunayPart::Inside);
-    flips.pushAll();
+    flips.pushAll(budget);
     flips.flipAndFill(budget);
     EXPECT_EQ(flips.counts().flips, 0u);
     EXPECT_EQ(countNonDelaunayFaces(mesh, DelaunayPart::Everywhere), before);
