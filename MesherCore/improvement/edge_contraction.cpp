@@ -68,7 +68,7 @@ bool evaluateContraction(const TetComplex& complex, NodeId node, LocalChange& ch
         if (!complex.isPositive(change.added[0].back())) return false;
     }
     change.score = floor;
-    change.contracted = node;
+    change.gone.assign(1, node);
     return true;
 }
 

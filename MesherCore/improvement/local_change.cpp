@@ -18,7 +18,7 @@ void apply(LocalChange& change, TetComplex& complex, BoundaryGeometry& geometry)
         geometry.commitSwap(change.facets, change.facetNodes);
         complex.replaceFacets(change.facets, change.facetNodes);
     }
-    if (change.contracted.isValid()) complex.removeNode(change.contracted);
+    for (const NodeId node : change.gone) complex.removeNode(node);
 }
 
 }  // namespace mesher

@@ -21,7 +21,7 @@ struct LocalChange
     bool swapsFacets = false;
     std::array<FacetId, 2> facets;
     std::array<FacetNodes, 2> facetNodes;
-    NodeId contracted;  ///< a node that goes
+    std::vector<NodeId> gone;  ///< nodes that no tetrahedron has afterwards
     /// Where a node comes; it is an invalid id in the tetrahedra.
     std::optional<Vec3> inserted;
 
@@ -30,7 +30,7 @@ struct LocalChange
         for (auto& list : removed) list.clear();
         for (auto& list : added) list.clear();
         swapsFacets = false;
-        contracted = NodeId();
+        gone.clear();
         inserted.reset();
         score = before = 0.0;
     }

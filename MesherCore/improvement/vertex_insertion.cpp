@@ -40,6 +40,21 @@ bool VertexInsertion::findHull()
     return cavity_.size() > 1;
 }
 
+/// Nodes with all of their tetrahedra in the cavity: one with four may have been inside.
+void VertexInsertion::collectEnclosed(std::vector<NodeId>& enclosed) const
+{
+    enclosed.clear();
+    for (const TetId t : cavity_) {
+        for (const NodeId n : complex_.nodes(t)) {
+            const bool isOnHull = std::any_of(hull_.begin(), hull_.end(), [n](const FacetNodes& face) {
+                return std::find(face.begin(), face.end(), n) != face.end();
+            });
+            if (!isOnHull && std::find(enclosed.begin(), enclosed.end(), n) == enclosed.end())
+                enclosed.push_back(n);
+        }
+    }
+}
+
 void VertexInsertion::tryCavity(double target, LocalChange& change)
 {
     if (!findHull()) return;
@@ -50,6 +65,7 @@ void VertexInsertion::tryCavity(double target, LocalChange& change)
     change.removed[0] = cavity_;
     change.added[0].clear();
     for (const FacetNodes& face : hull_) change.added[0].push_back({face[0], face[1], face[2], NodeId()});
+    collectEnclosed(change.gone);
     change.before = before;
     change.score = smoothing_.score();
     change.inserted = smoothing_.move().position;

@@ -28,6 +28,7 @@ private:
     void collectAround(NodeId a, NodeId b);
     void collectBehind(TetId tet, std::size_t first, std::size_t last);
     bool findHull();
+    void collectEnclosed(std::vector<NodeId>& enclosed) const;
     void tryCavity(double target, LocalChange& change);
 
     const TetComplex& complex_;

@@ -28,6 +28,10 @@ namespace mesher {
 
 namespace {
 
+/// Tetrahedra that improvement tries, the worst first. An eighth of a mesh is below its target after refinement; where thin walls
+/// and small angles leave far more, most cannot be helped.
+std::uint64_t mostTries(std::size_t tets) { return 3 * static_cast<std::uint64_t>(tets) / 10 + 1000; }
+
 using Clock = std::chrono::steady_clock;
 
 constexpr double kReportedUncertainty = 1e-4;  // of the model's volume, relative
@@ -235,6 +239,7 @@ private:
         ImprovementOptions improvement;
         improvement.maxSag = options_.sag;
         improvement.limits.maxTime = timeLeft();
+        improvement.limits.maxOperations = mostTries(outcome_.mesh->tets.size());
         const Clock::time_point start = Clock::now();
         const Result<SolidImprovement> improved =
             improveSolids(*outcome_.mesh, model_, improvement, context_);
@@ -246,7 +251,9 @@ private:
         tellImprovement(improved->improvement);
         add("frozen_boundaries", improved->isBoundaryFrozen ? 1 : 0);
         const StopReason reason = improved->improvement.stopReason;
-        tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+        const bool isEnd = reason == StopReason::CannotImprove || reason == StopReason::OperationLimit;
+        add("improvement_cut_short", reason == StopReason::OperationLimit ? 1 : 0);
+        tellStop(isEnd ? StopReason::Done : reason, report());
     }
 
     void tellImprovement(const Improvement& improved)

@@ -246,7 +246,7 @@ TEST(EdgeContraction, DrawsANodeIntoOneThatIsTooNear)
 {
     Workshop shop(octahedron({0.9, 0.03, 0.02}));
     ASSERT_TRUE(evaluateContraction(shop.complex, NodeId(0), shop.change));
-    EXPECT_EQ(shop.change.contracted, NodeId(0));
+    EXPECT_EQ(shop.change.gone, std::vector<NodeId>(1, NodeId(0)));
     EXPECT_EQ(shop.change.removed[0].size(), 8u);
     EXPECT_EQ(shop.change.added[0].size(), 4u);
     shop.applyAndCheck();
@@ -273,6 +273,30 @@ TEST(VertexInsertion, HalvesALongEdge)
     shop.applyAndCheck();
     EXPECT_EQ(shop.complex.nodeLimit(), nodes + 1);
     EXPECT_EQ(shop.complex.node(NodeId(nodes)).entity, (EntityRef{3, 0}));
+}
+
+TEST(VertexInsertion, TakesOutANodeThatItsCavityEncloses)
+{
+    SmallMesh small;
+    const NodeId a = small.add({1, 1, 1});
+    const NodeId b = small.add({1, -1, -1});
+    const NodeId c = small.add({-1, -1, 1});
+    const NodeId d = small.add({-1, 1, -1});
+    const NodeId inside = small.add({0.6, 0.6, 0.5});
+    small.addTet(inside, b, c, d);
+    small.addTet(a, inside, c, d);
+    small.addTet(a, b, inside, d);
+    small.addTet(a, b, c, inside);
+    Workshop shop(std::move(small));
+    ASSERT_GT(test::leastScore(shop.complex), 0.0);
+    VertexSmoothing smoothing(shop.complex, shop.geometry, BoundaryChanges::Allowed);
+    ASSERT_TRUE(VertexInsertion(shop.complex, smoothing).evaluate(TetId(0), 0.0, 0.9, shop.change));
+    EXPECT_EQ(shop.change.gone, std::vector<NodeId>(1, inside));
+    shop.applyAndCheck();
+    ClassifiedMesh mesh = shop.small.mesh;
+    shop.complex.writeTo(mesh);
+    EXPECT_EQ(mesh.nodes.size(), 5u);
+    EXPECT_EQ(mesh.tets.size(), 4u);
 }
 
 TEST(VertexInsertion, KeepsFacesBetweenSolids)
