@@ -186,4 +186,21 @@ private:
     bool splitsConstrainedEdge_ = false;
 };
 
+/// Orders the vertices of a face that its tetrahedron sees on its positive side for a new tetrahedron that has the new
+/// point in front: reversed, and turned until the ghost is last.
+inline std::array<VertexId, 3> facingPoint(VertexId f0, VertexId f1, VertexId f2)
+{
+    if (isGhost(f0)) return {f2, f1, f0};
+    if (isGhost(f1)) return {f0, f2, f1};
+    return {f1, f0, f2};
+}
+
+inline void CavityOperator3d::addFace(const TetRecord& inner, unsigned face, TetFace outer)
+{
+    const int* slots = kFaceSlots[face];
+    cavity_.faces.push_back({outer, facingPoint(inner.vertex[static_cast<unsigned>(slots[0])],
+                                                inner.vertex[static_cast<unsigned>(slots[1])],
+                                                inner.vertex[static_cast<unsigned>(slots[2])])});
+}
+
 }  // namespace mesher

@@ -1,0 +1,205 @@
+#include "pipeline/solid_run.h"
+
+#include "pipeline/classify_solids.h"
+#include "pipeline/estimate.h"
+#include "pipeline/improve_solids.h"
+#include "pipeline/left_elements.h"
+#include "pipeline/report_steps.h"
+#include "pipeline/stage_counts.h"
+#include "pipeline/wall_estimate.h"
+#include "refinement/refine_volume.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace mesher {
+
+namespace {
+
+/// Tetrahedra that improvement tries, the worst first. An eighth of a mesh is below its target after refinement; where thin walls
+/// and small angles leave far more, most cannot be helped.
+std::uint64_t mostTries(std::size_t tets) { return 3 * static_cast<std::uint64_t>(tets) / 10 + 1000; }
+
+double secondsSince(SolidRun::Clock::time_point start)
+{
+    return std::chrono::duration<double>(SolidRun::Clock::now() - start).count();
+}
+
+}  // namespace
+
+SolidRun::SolidRun(const BrepModel& model, const MeshOptions& options,
+                   std::shared_ptr<const SizingField> sizes, RunContext& context, Clock::time_point start)
+    : model_(model), options_(options), context_(context), start_(start), sizes_(std::move(sizes))
+{
+    report().options = options;
+}
+
+bool SolidRun::sampleSurfaces() { return isSampled_ = findSides() && sample() && boundsVolumes(); }
+
+const SurfaceMesh* SolidRun::surface() const { return isSampled_ ? &sample_.surface->mesh() : nullptr; }
+
+MeshOutcome SolidRun::meshVolumes()
+{
+    if (isSampled_ && canFillWalls() && tetrahedralizeSample() && refine()) {
+        outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
+        if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
+    }
+    return outcome_.mesh ? std::move(outcome_) : keepSurface();
+}
+
+MeshOutcome SolidRun::keepSurface()
+{
+    if (sample_.surface && report().status != MeshReport::Status::Cancelled)
+        outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
+    return std::move(outcome_);
+}
+
+MeshOutcome SolidRun::meshFaces()
+{
+    if (findSides() && sample()) outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
+    return std::move(outcome_);
+}
+
+bool SolidRun::findSides()
+{
+    Result<RegionSides> sides = regionSidesOf(model_);
+    if (!sides) return failed(sides.error());
+    sides_ = std::move(sides).value();
+    return true;
+}
+
+bool SolidRun::sample()
+{
+    SurfaceSamplingOptions sampling;
+    sampling.curves.sizes = sizes_.get();
+    sampling.curves.segmentsPerTurn = options_.curvature;
+    sampling.curves.maxSag = options_.sag;
+    sampling.curves.maxVariation = std::min(options_.maxTurn, sampling.curves.maxVariation);
+    sampling.facets.minAngle = options_.minAngle;
+    sampling.facets.elementsPerTurn = options_.curvature;
+    sampling.facets.maxSag = options_.sag;
+    sampling.facets.sizes = sizes_.get();
+    sampling.facets.leastCurvatureSize = options_.minSize.value_or(0.0);
+    sampling.limits.maxTime = timeLeft();
+    sampling.limits.maxElements = options_.maxElements;
+    const Clock::time_point start = Clock::now();
+    Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);
+    addSeconds("surfaces", start);
+    if (!sampled) return failed(sampled.error());
+    sample_ = std::move(sampled).value();
+    tellCounts(sample_.counts, report());
+    for (const auto& [face, error] : sample_.failures) fail(report(), error);
+    if (!sample_.failures.empty()) return false;
+    return mayGoOn(sample_.stopReason);
+}
+
+/// Facets that intersect bound nothing; which faces they are on is known here.
+bool SolidRun::boundsVolumes()
+{
+    for (const Error& error : sample_.counts.certificate.errors) fail(report(), error);
+    return sample_.counts.certificate.errors.empty();
+}
+
+bool SolidRun::canFillWalls()
+{
+    const WallEstimate walls = estimateWalls(sample_.surface->mesh(), sides_);
+    if (walls.elements <= mostExpectedElements(options_)) return true;
+    std::ostringstream message;
+    message.precision(3);
+    message << "the wall behind it is " << walls.thickness << " thick, and about " << walls.elements
+            << " elements would be needed in walls so thin, more than --max-elements "
+            << options_.maxElements;
+    return failed({ErrorCode::OutOfRange, message.str(), nameOf(walls.face), walls.place,
+                   "thicken the wall, mesh a face of it with --dimension 2, or raise --max-elements"});
+}
+
+bool SolidRun::tetrahedralizeSample()
+{
+    TetrahedralizationOptions recovery;
+    recovery.limits.maxTime = timeLeft();
+    const Clock::time_point start = Clock::now();
+    Result<Tetrahedralization> made = tetrahedralize(*sample_.surface, sides_, recovery, context_);
+    addSeconds("tetrahedralization", start);
+    if (!made) return failed(made.error());
+    tetrahedralization_ = std::move(made).value();
+    tellCounts(tetrahedralization_.counts, report());
+    // What a limit left unrecovered is no fault of the model.
+    if (!mayGoOn(tetrahedralization_.stopReason)) return false;
+    for (const Error& error : tetrahedralization_.failures) fail(report(), error);
+    return tetrahedralization_.failures.empty();
+}
+
+bool SolidRun::refine()
+{
+    RefineVolumeOptions refinement;
+    refinement.sizing.usesLocalFeatureSize = false;
+    refinement.sizing.refinement = options_.refinement;
+    refinement.sizing.grading = options_.grading;
+    refinement.sizing.field = sizes_.get();
+    refinement.quality.measure = options_.measure;
+    refinement.quality.threshold = options_.threshold;
+    refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
+    refinement.limits.maxElements = options_.maxElements;
+    refinement.limits.maxTime = timeLeft();
+    const Clock::time_point start = Clock::now();
+    Result<RefinedVolume> refined =
+        refineVolume(tetrahedralization_.tets, *sample_.surface, refinement, context_);
+    addSeconds("refinement", start);
+    if (!refined) return failed(refined.error());
+    tellCounts(refined.value(), report());
+    tellLeftElements(refined.value(), report());
+    const StopReason reason = refined->stopReason;
+    // Tetrahedra that stay bad, beside small angles of the shape for one, are told and do not fail the run.
+    tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+    return report().status != MeshReport::Status::Cancelled;
+}
+
+void SolidRun::improve()
+{
+    ImprovementOptions improvement;
+    improvement.maxSag = options_.sag;
+    improvement.limits.maxTime = timeLeft();
+    improvement.limits.maxOperations = mostTries(outcome_.mesh->tets.size());
+    const Clock::time_point start = Clock::now();
+    const Result<SolidImprovement> improved = improveSolids(*outcome_.mesh, model_, improvement, context_);
+    addSeconds("improvement", start);
+    if (!improved) {
+        failed(improved.error());
+        return;
+    }
+    report().anglesBeforeImprovement = improved->improvement.anglesBefore;
+    tellCounts(improved->improvement.counts, report());
+    report().counts.emplace_back("frozen_boundaries", improved->isBoundaryFrozen ? 1 : 0);
+    const StopReason reason = improved->improvement.stopReason;
+    const bool isEnd = reason == StopReason::CannotImprove || reason == StopReason::OperationLimit;
+    report().counts.emplace_back("improvement_cut_short", reason == StopReason::OperationLimit ? 1 : 0);
+    tellStop(isEnd ? StopReason::Done : reason, report());
+}
+
+bool SolidRun::failed(Error error)
+{
+    fail(report(), std::move(error));
+    return false;
+}
+
+bool SolidRun::mayGoOn(StopReason reason)
+{
+    if (reason == StopReason::Done || reason == StopReason::CannotImprove) return true;
+    tellStop(reason, report());
+    return false;
+}
+
+std::optional<SolidRun::Clock::duration> SolidRun::timeLeft() const
+{
+    if (!options_.timeout) return std::nullopt;
+    const double left = std::max(0.0, std::min(*options_.timeout, 1e9) - secondsSince(start_));
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
+}
+
+void SolidRun::addSeconds(const char* stage, Clock::time_point since)
+{
+    report().seconds.emplace_back(stage, secondsSince(since));
+}
+
+}  // namespace mesher

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "base/run_context.h"
+#include "brep/brep_model.h"
+#include "mesh/region_sides.h"
+#include "pipeline/mesh_options.h"
+#include "pipeline/mesh_outcome.h"
+#include "sizing/sizing_field.h"
+#include "surface_sampling/sample_surface.h"
+#include "tetrahedralization/tetrahedralize.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+namespace mesher {
+
+/// The stages of one component in their order, surfaces first and volumes later: in between, solids can be compared with those of
+/// other components. Each step returns whether the next one may follow; why not is in the report.
+/// Requires     model, options and context outlive it
+/// Terminates   by the limits of the options; the limit on time counts from `start`
+class SolidRun
+{
+public:
+    using Clock = std::chrono::steady_clock;
+
+    SolidRun(const BrepModel& model, const MeshOptions& options, std::shared_ptr<const SizingField> sizes,
+             RunContext& context, Clock::time_point start);
+
+    bool sampleSurfaces();
+
+    /// Of sampleSurfaces, null if that failed.
+    [[nodiscard]] const SurfaceMesh* surface() const;
+    [[nodiscard]] const RegionSides& sides() const { return sides_; }
+
+    [[nodiscard]] MeshOutcome meshVolumes();
+    /// What there is of a run that goes no further.
+    [[nodiscard]] MeshOutcome keepSurface();
+    /// Instead of all the others: faces alone, as surfaces in space.
+    [[nodiscard]] MeshOutcome meshFaces();
+
+private:
+    bool findSides();
+    bool sample();
+    bool boundsVolumes();
+    bool canFillWalls();
+    bool tetrahedralizeSample();
+    bool refine();
+    void improve();
+
+    [[nodiscard]] MeshReport& report() { return outcome_.report; }
+    bool failed(Error error);
+    bool mayGoOn(StopReason reason);
+    [[nodiscard]] std::optional<Clock::duration> timeLeft() const;
+    void addSeconds(const char* stage, Clock::time_point since);
+
+    const BrepModel& model_;
+    const MeshOptions& options_;
+    RunContext& context_;
+    Clock::time_point start_;
+    RegionSides sides_;
+    std::shared_ptr<const SizingField> sizes_;
+    SurfaceSample sample_;
+    bool isSampled_ = false;
+    Tetrahedralization tetrahedralization_;
+    MeshOutcome outcome_;
+};
+
+}  // namespace mesher
