@@ -286,7 +286,7 @@ private:
 std::size_t seedFace(const BrepFace& face, FaceTriangulation& t)
 {
     // What is there already does for a seed beside it.
-    constexpr double kClearance = 0.1;
+    constexpr double kClearance = 0.02;
     std::size_t inserted = 0;
     for (const Vec2 seed : seedsOf(face)) {
         if (insertFacePoint(face, seed, TriangleId(), t, kClearance)) ++inserted;
