@@ -122,6 +122,8 @@ bool SolidRun::canFillWalls()
 bool SolidRun::tetrahedralizeSample()
 {
     TetrahedralizationOptions recovery;
+    // Refinement puts vertices about where scaffold points are anyway, and their removal costs more than all the rest.
+    recovery.scaffold = SurfaceScaffold::Kept;
     recovery.limits.maxTime = timeLeft();
     const StageWatch watch;
     Result<Tetrahedralization> made = tetrahedralize(*sample_.surface, sides_, recovery, context_);
