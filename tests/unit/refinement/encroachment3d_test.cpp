@@ -92,5 +92,23 @@ TEST(FirstConstraintTowards, FindsTheFaceThatTheLineLeavesBy)
     EXPECT_GT(blocked, 100);
 }
 
+TEST(FindInTheWay, FindsTheFacetBeforeAPointFarOutsideWithoutCollectingAllThatIsInConflict)
+{
+    // Along a ball of facets almost flat tetrahedra by the hundred are in conflict with a point just outside of it.
+    SampledSolid ball = sampledSphere(1.0, 2000);
+    Delaunay3d& delaunay = *ball.tetrahedralization.delaunay;
+    const Triangulation3d& mesh = delaunay.triangulation();
+    const Vec3 centre{0.01, 0.02, 0.03};
+    const TetId inside = delaunay.locate(ball.tetrahedralization.scale * centre)->tet;
+    ASSERT_GT(delaunay.findConflicts(ball.tetrahedralization.scale * centre, inside).tets.size(),
+              kOrdinaryConflicts);
+    const Vec3 outside = ball.tetrahedralization.scale * Vec3{1.02, 0.02, 0.01};
+    const std::uint64_t work = delaunay.cavityWork();
+    const Encroached3d found = findInTheWay(delaunay, inside, outside);
+    EXPECT_LE(delaunay.cavityWork() - work, kOrdinaryConflicts);
+    ASSERT_TRUE(found.facet.isValid());
+    EXPECT_TRUE(mesh.isFaceConstrained(found.facet));
+}
+
 }  // namespace
 }  // namespace mesher::test
