@@ -43,15 +43,24 @@ function(mesher_python_module name)
   set_target_properties(mesher_${name} PROPERTIES OUTPUT_NAME ${MODULE_OUTPUT} LIBRARY_OUTPUT_DIRECTORY "${MODULE_DIRECTORY}")
 endfunction()
 
+# With sanitizers the optimiser takes most of the time of a build, and it is the core that has to be fast, not the tests.
+function(mesher_optimise_test name)
+  if(MESHER_SANITIZE)
+    target_compile_options(${name} PRIVATE -O1)
+  endif()
+endfunction()
+
 # mesher_test(NAME SOURCES … USES …): a GoogleTest program whose cases are tests of CTest.
 function(mesher_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE mesher_options GTest::gtest_main)
   target_include_directories(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests")
+  target_precompile_headers(${name} REUSE_FROM mesher_test_headers)
   foreach(used IN LISTS TEST_USES)
     target_link_libraries(${name} PRIVATE mesher_${used})
   endforeach()
+  mesher_optimise_test(${name})
   # A test that hangs must fail, and long before the run that it is part of is given up.
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

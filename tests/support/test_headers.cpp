@@ -1,0 +1,2 @@
+// Without a source a library would have no precompiled headers.
+#include <gtest/gtest.h>
