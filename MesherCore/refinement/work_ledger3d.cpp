@@ -7,7 +7,8 @@ namespace mesher {
 WorkLedger3d::WorkLedger3d(const ConstrainedTetrahedralization& tetrahedralization,
                            const WorkAllowance& allowance)
     : t_(tetrahedralization),
-      allowance_(allowance),
+      free_(allowance.free + allowance.perTet * static_cast<double>(t_.mesh().tetCount())),
+      perVertex_(allowance.perVertex),
       first_(work()),
       last_(first_),
       verticesAtStart_(t_.mesh().vertexCount())
@@ -25,10 +26,10 @@ void WorkLedger3d::charge(EntityRef entity)
 bool WorkLedger3d::isSpent() const
 {
     const double spent = static_cast<double>(work() - first_);
-    if (spent <= allowance_.free) return false;
+    if (spent <= free_) return false;
     // Vertices that came and went again are no headway.
     const double made = static_cast<double>(t_.mesh().vertexCount()) - static_cast<double>(verticesAtStart_);
-    return spent > allowance_.free + allowance_.perVertex * std::max(made, 0.0);
+    return spent > free_ + perVertex_ * std::max(made, 0.0);
 }
 
 std::vector<WorkLedger3d::Entry> WorkLedger3d::costliest(std::size_t most) const

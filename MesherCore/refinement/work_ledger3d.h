@@ -13,9 +13,10 @@ namespace mesher {
 /// repair cavities (Delaunay3d::cavityWork), never in seconds, so that the same input ends at the same mesh everywhere.
 struct WorkAllowance
 {
-    double free = 2e7;
-    /// Ordinary refinement takes 150 to 400 for each vertex, everything that is tried in vain included.
-    double perVertex = 4000.0;
+    double free = 5e6;
+    double perTet = 100.0;  ///< of the tetrahedralization at the start
+    /// Ordinary refinement takes 25 to 40 for each vertex, everything that is tried in vain included.
+    double perVertex = 1000.0;
 };
 
 /// Where the work of a refinement went, and whether it still makes headway.
@@ -48,7 +49,8 @@ private:
     [[nodiscard]] std::uint64_t work() const { return t_.delaunay->cavityWork(); }
 
     const ConstrainedTetrahedralization& t_;
-    WorkAllowance allowance_;
+    double free_;
+    double perVertex_;
     std::uint64_t first_;
     std::uint64_t last_;
     std::uint64_t verticesAtStart_;

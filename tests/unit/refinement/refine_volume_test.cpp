@@ -235,7 +235,7 @@ TEST(RefineVolumeLimits, EndsWithoutHeadwayAtTheSameMeshAndNamesWhereTheWorkWent
     EXPECT_FALSE(whole.hasStalled);
     EXPECT_TRUE(whole.costliest.empty());
 
-    const RefinedVolume ended = run({500.0, 5.0}, hash);
+    const RefinedVolume ended = run({500.0, 0.0, 5.0}, hash);
     EXPECT_TRUE(ended.hasStalled);
     EXPECT_EQ(ended.stopReason, StopReason::CannotImprove);
     EXPECT_LT(ended.vertices, whole.vertices);
@@ -248,7 +248,7 @@ TEST(RefineVolumeLimits, EndsWithoutHeadwayAtTheSameMeshAndNamesWhereTheWorkWent
     EXPECT_LE(shares, 1.0 + 1e-12);
     for (const LeftTet3d& left : ended.left) EXPECT_NE(left.reason, LeftReason3d::Unfinished);
     std::uint64_t again = 0;
-    run({500.0, 5.0}, again);
+    run({500.0, 0.0, 5.0}, again);
     EXPECT_EQ(again, hash);
 }
 
