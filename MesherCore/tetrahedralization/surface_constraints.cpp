@@ -83,7 +83,13 @@ void SurfaceConstraints::lockEdge(TetId tet, VertexId a, VertexId b)
     if (!segmentAt(a, b).isValid()) temporaryLocks_.push_back(unorderedPair(a, b));
 }
 
-void SurfaceConstraints::lockFacet(TetFace face) { mesh().setFaceConstrained(face, true); }
+void SurfaceConstraints::lockFacet(TetFace face)
+{
+    mesh().setFaceConstrained(face, true);
+    for (const VertexId corner : mesh().faceVertices(face)) {
+        if (corner.value < isLoose_.size()) isLoose_[corner] = 0;
+    }
+}
 
 void SurfaceConstraints::releaseTemporaryLocks()
 {
@@ -98,6 +104,10 @@ void SurfaceConstraints::releaseTemporaryLocks()
 
 void SurfaceConstraints::loosenFacetsAt(VertexId vertex)
 {
+    // Recovery asks after each step, and stars are large where many facets meet a vertex.
+    if (vertex.value < isLoose_.size() && isLoose_[vertex] != 0) return;
+    isLoose_.resize(std::max<std::size_t>(isLoose_.size(), mesh().vertexLimit()), 0);
+    isLoose_[vertex] = 1;
     std::vector<TetId> star;
     mesh().collectStar(vertex, star);
     for (const TetId tet : star) {

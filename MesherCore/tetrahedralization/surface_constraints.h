@@ -93,6 +93,8 @@ private:
     std::unique_ptr<TemporarySplits> temporary_;
     ConstrainedTetrahedralization& tets_;
     std::vector<EdgeKey> temporaryLocks_;
+    /// Not 0: no facet at the vertex is locked.
+    IdVector<VertexId, std::uint8_t> isLoose_;
     /// Also dead ones; empty until it is asked for.
     IdVector<NodeId, std::vector<FacetId>> facetsByNode_;
 };

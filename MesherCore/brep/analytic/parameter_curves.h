@@ -67,7 +67,9 @@ private:
     PlaneFrame frame_;
 };
 
-/// The points of a curve projected on a surface it lies on, from the seeds that a rough parameter curve gives.
+/// The points of a curve projected on a surface it lies on, from the seeds that a rough parameter curve gives. Where a parameter
+/// makes no difference in space, the rough curve's is kept: at a pole, or as near to one as rounding brings the end of a curve,
+/// a projection may have any.
 class ProjectedParameterCurve final : public ParameterCurve
 {
 public:
@@ -79,7 +81,16 @@ public:
 
     [[nodiscard]] Vec2 position(double t) const override
     {
-        return surface_->project(curve_->position(t), rough_->position(t)).parameters;
+        constexpr double kExact = 1e-7;
+        const Vec3 exact = curve_->position(t);
+        const Vec2 rough = rough_->position(t);
+        const auto distanceAt = [&](Vec2 uv) { return length(surface_->position(uv) - exact); };
+        if (distanceAt(rough) <= kExact) return rough;
+        const SurfaceProjection closest = surface_->project(exact, rough);
+        for (const Vec2 uv : {Vec2{closest.parameters.x, rough.y}, Vec2{rough.x, closest.parameters.y}}) {
+            if (distanceAt(uv) <= closest.distance + kExact) return uv;
+        }
+        return closest.parameters;
     }
     [[nodiscard]] std::unique_ptr<ParameterCurve> clone() const override
     {

@@ -1,6 +1,8 @@
 #include "brep/analytic/bspline_curve.h"
 #include "brep/analytic/conic_curves.h"
 #include "brep/analytic/line_curve.h"
+#include "brep/analytic/parameter_curves.h"
+#include "brep/analytic/round_surfaces.h"
 #include "brep/analytic/spline_interpolation.h"
 #include "support/curve_contract.h"
 
@@ -146,6 +148,25 @@ TEST(AnalyticCurves, BadSplinesAreRefusedWithAReason)
     const Vec3 p{1.0, 1.0, 0.0};
     EXPECT_FALSE(interpolateCubic(std::vector<Vec3>{p, {}}));
     EXPECT_FALSE(interpolateCubic(std::vector<Vec3>{p, p, {}}));
+}
+
+// A meridian that misses the pole by rounding: a point there projects to any longitude.
+TEST(ProjectedParameterCurve, KeepsTheRoughParameterWhereItMakesNoDifference)
+{
+    constexpr double kLongitude = 0.7, kOff = 1e-5;
+    const Vec3 along{std::cos(kLongitude), std::sin(kLongitude), 0.0};
+    const Vec3 beside{-along.y, along.x, 0.0};
+    const Axes meridian{1e-13 * beside, along, {0.0, 0.0, 1.0}, -1.0 * beside};
+    for (const double ahead : {0.0, 1e-3}) {
+        const ProjectedParameterCurve curve(
+            std::make_unique<CircleCurve>(meridian, 2.0, Interval{0.0, 0.5 * kPi}),
+            std::make_unique<SphereSurface>(Axes{}, 2.0),
+            std::make_unique<LineParameterCurve>(Vec2{kLongitude + kOff, -ahead}, Vec2{0.0, 1.0}));
+        EXPECT_NEAR(curve.position(0.5 * kPi).x, kLongitude + kOff, 1e-12);
+        EXPECT_NEAR(curve.position(0.5 * kPi).y, 0.5 * kPi, 1e-12);
+        EXPECT_NEAR(curve.position(0.4).x, kLongitude, 1e-12);
+        EXPECT_NEAR(curve.position(0.4).y, 0.4, 1e-12);
+    }
 }
 
 }  // namespace mesher
