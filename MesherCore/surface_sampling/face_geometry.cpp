@@ -8,8 +8,21 @@ namespace {
 
 /// A derivative that moves a point by less than this share of what the other one does, over the face, is that of a pole.
 constexpr double kPoleRatio = 1e-9;
+/// Within the gaps of a file poles may have that extent, as a share of the face.
+constexpr double kMostPoleRatio = 1e-3;
 /// Where the normal at a pole is asked instead, as a share of the way to the middle of the face's parameters.
 constexpr double kBesidePole = 1e-4;
+
+/// Edges that files mark as poles miss their vertex by a gap; what the surface's derivatives make of so short a line is noise.
+double squaredPoleExtent(const BrepFace& face)
+{
+    constexpr double kGapsAlongPole = 4.0;
+    double gap = 0.0;
+    for (const BrepLoop& loop : face.loops) {
+        for (const BrepCoedge& coedge : loop.coedges) gap = std::max(gap, coedge.gap);
+    }
+    return kGapsAlongPole * kGapsAlongPole * gap * gap;
+}
 
 double periodShift(double from, double to, double period)
 {
@@ -27,6 +40,7 @@ FaceGeometry::FaceGeometry(const BrepFace& face)
             boundsV_.length() > 0.0 ? boundsV_.length() : 1.0},
       rangeU_(surface_->rangeU()),
       rangeV_(surface_->rangeV()),
+      squaredPoleExtent_(squaredPoleExtent(face)),
       isPlane_(surface_->planeFrame().has_value())
 {
 }
@@ -57,8 +71,12 @@ SurfaceFacts FaceGeometry::factsOf(const SurfacePoint& point, Vec2 uv) const
     facts.position = point.position;
     const double u = squaredLength(point.du) * boundsU_.length() * boundsU_.length();
     const double v = squaredLength(point.dv) * boundsV_.length() * boundsV_.length();
-    facts.isSingularU = u <= kPoleRatio * kPoleRatio * v;
-    facts.isSingularV = v <= kPoleRatio * kPoleRatio * u;
+    const auto isPole = [&](double along, double across) {
+        return along <= kPoleRatio * kPoleRatio * across ||
+               along <= std::min(squaredPoleExtent_, kMostPoleRatio * kMostPoleRatio * across);
+    };
+    facts.isSingularU = isPole(u, v);
+    facts.isSingularV = isPole(v, u);
     if (facts.isSingularU || facts.isSingularV) {
         setFactsOfPole(facts);
         return facts;

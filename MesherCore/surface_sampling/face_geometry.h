@@ -75,6 +75,7 @@ private:
     Vec2 unit_;  ///< lengths of the bounds, 1 where they have none
     Interval rangeU_;
     Interval rangeV_;
+    double squaredPoleExtent_ = 0.0;
     bool isPlane_ = false;
 };
 

@@ -1,14 +1,61 @@
 #include "surface_sampling/face_points.h"
 
+#include <algorithm>
+
 namespace mesher {
 
-std::optional<VertexId> insertFacePoint(const BrepFace& face, Vec2 uv, TriangleId hint, FaceTriangulation& t)
+namespace {
+
+double squaredDistanceToSide(Vec2 p, Vec2 a, Vec2 b)
+{
+    const double share = std::clamp(dot(p - a, b - a) / squaredLength(b - a), 0.0, 1.0);
+    return squaredLength(p - a - share * (b - a));
+}
+
+/// Is the point nearer to a corner or a constrained side of the triangle?
+bool isNearer(const Triangulation2d& mesh, TriangleId t, Vec2 p, double squaredDistance)
+{
+    for (unsigned k = 0; k < 3; ++k) {
+        const EdgeLink side(t, k);
+        const Vec2 a = mesh.position(mesh.edgeFrom(side)), b = mesh.position(mesh.edgeTo(side));
+        if (squaredLength(p - a) < squaredDistance) return true;
+        if (mesh.isConstrained(side) && squaredDistanceToSide(p, a, b) < squaredDistance) return true;
+    }
+    return false;
+}
+
+/// Is there a corner or a piece nearer than a share of the longest side about the point? The triangle's neighbours have a say,
+/// since the nearest corner may lie just beyond a side.
+bool isCramped(const Triangulation2d& mesh, TriangleId t, Vec2 p, double share)
+{
+    double longest = 0.0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const EdgeLink side(t, k);
+        longest = std::max(
+            longest, squaredLength(mesh.position(mesh.edgeFrom(side)) - mesh.position(mesh.edgeTo(side))));
+    }
+    const double least = share * share * longest;
+    if (isNearer(mesh, t, p, least)) return true;
+    for (unsigned k = 0; k < 3; ++k) {
+        const EdgeLink side(t, k);
+        if (mesh.isConstrained(side)) continue;
+        const TriangleId next = mesh.across(side).triangle();
+        if (!mesh.triangle(next).isGhost() && isNearer(mesh, next, p, least)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<VertexId> insertFacePoint(const BrepFace& face, Vec2 uv, TriangleId hint, FaceTriangulation& t,
+                                        double clearance)
 {
     const Vec2 plane = t.scaling.toPlane(uv);
     const Location2d location = t.delaunay.locate(plane, hint);
     const bool isFree = location.kind == Location2d::Kind::InTriangle ||
                         (location.kind == Location2d::Kind::OnEdge && !t.mesh().isConstrained(location.edge));
     if (!isFree || !t.isInside(location.triangle())) return std::nullopt;
+    if (isCramped(t.mesh(), location.triangle(), plane, clearance)) return std::nullopt;
     const SurfacePoint exact = face.surface->evaluate(uv);
     if (!isFinite(exact.position)) return std::nullopt;
     auto inserted = t.delaunay.insert(plane, location.triangle());

@@ -285,9 +285,11 @@ private:
 
 std::size_t seedFace(const BrepFace& face, FaceTriangulation& t)
 {
+    // What is there already does for a seed beside it.
+    constexpr double kClearance = 0.02;
     std::size_t inserted = 0;
     for (const Vec2 seed : seedsOf(face)) {
-        if (insertFacePoint(face, seed, TriangleId(), t)) ++inserted;
+        if (insertFacePoint(face, seed, TriangleId(), t, kClearance)) ++inserted;
     }
     return inserted;
 }

@@ -90,14 +90,17 @@ private:
                 return failure(i, "two of its boundary's points coincide in the parameters",
                                "heal the shape, or merge the small edge there");
             }
-            target = {point.uv,
-                      nodes_[point.node].position,
-                      FaceTriangulation::unitNormal(face_.surface->evaluate(point.uv)),
-                      point.node,
-                      point.isPole,
-                      point.isPoleAlongU};
+            target = {point.uv,     nodes_[point.node].position, normalAt(point), point.node,
+                      point.isPole, point.isPoleAlongU};
         }
         return {};
+    }
+
+    /// None at a pole: its line is shorter than the model's tolerance, and what it makes of a normal is noise.
+    [[nodiscard]] Vec3 normalAt(const OutlinePoint& point) const
+    {
+        if (point.isPole) return {};
+        return FaceTriangulation::unitNormal(face_.surface->evaluate(point.uv));
     }
 
     /// Without digits far below the outline's size, which the predicates would have to carry along.

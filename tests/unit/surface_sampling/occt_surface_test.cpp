@@ -21,7 +21,11 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -31,6 +35,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -109,6 +114,40 @@ TopoDS_Shape wedge(double degrees)
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline).Face(), gp_Vec(0.0, 0.0, 2.0));
 }
 
+double angleInDegrees(const Vec3& a, const Vec3& b)
+{
+    return std::atan2(length(cross(a, b)), dot(a, b)) * 180.0 / kPi;
+}
+
+/// A ball with a pocket that has a corner beside one of the sphere's grid of first points.
+TopoDS_Shape ballWithPocket(double beside)
+{
+    return BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(10.0).Shape(),
+                           BRepPrimAPI_MakeBox(gp_Pnt(beside, 5.0, -beside), 6.0, 10.0, 6.0).Shape());
+}
+
+/// A fan whose apex is a line of 2e-4 that runs the other way than its rim, as fillets of files have them.
+TopoDS_Shape fanFromAnInvertedPole()
+{
+    constexpr double kExtent = 1e-4;
+    TColgp_Array2OfPnt poles(1, 3, 1, 2);
+    for (int i = -1; i <= 1; ++i) {
+        poles.SetValue(i + 2, 1, gp_Pnt(-kExtent * i, 0.0, 0.0));
+        poles.SetValue(i + 2, 2, gp_Pnt(i, 2.0, i == 0 ? 0.5 : 0.0));
+    }
+    TColStd_Array1OfReal knotsU(1, 2), knotsV(1, 2);
+    TColStd_Array1OfInteger timesU(1, 2), timesV(1, 2);
+    for (int i = 1; i <= 2; ++i) {
+        knotsU.SetValue(i, i - 1.0);
+        knotsV.SetValue(i, i - 1.0);
+        timesU.SetValue(i, 3);
+        timesV.SetValue(i, 2);
+    }
+    const Handle(Geom_BSplineSurface) surface =
+        new Geom_BSplineSurface(poles, knotsU, knotsV, timesU, timesV, 2, 1);
+    return BRepBuilderAPI_MakeFace(surface, 1e-3);
+}
+
 std::vector<NamedShape> hardModels()
 {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-1.0, -1.0, -1.0), 2.0, 2.0, 2.0).Shape();
@@ -172,6 +211,39 @@ TEST(OcctSurfaces, AreMeshedSoundlyBetweenFineCurves)
     options.sizes = &size;
     for (const NamedShape& named : test::kernelModels()) expectSound(named, options);
     for (const NamedShape& named : hardModels()) expectSound(named, options);
+}
+
+TEST(OcctSurfaces, PutNoPointBesideACornerOfTheOutline)
+{
+    const UniformSize size(1.0);
+    CurveChainOptions options;
+    options.sizes = &size;
+    for (const double beside : {0.0, 1e-15, 3e-15, 1e-14})
+        expectSound({"pocket", ballWithPocket(beside)}, options);
+}
+
+TEST(OcctSurfaces, TakeNoNormalFromAPoleOfSomeExtent)
+{
+    auto read = readModelFromShape(fanFromAnInvertedPole());
+    ASSERT_TRUE(read) << describe(read.error());
+    const UniformSize size(0.1);
+    SurfaceSamplingOptions options;
+    options.curves.sizes = options.facets.sizes = &size;
+    RunContext context;
+    const auto sample = sampleSurface(read->model, options, context);
+    ASSERT_TRUE(sample) << describe(sample.error());
+    EXPECT_TRUE(sample->failures.empty());
+    EXPECT_EQ(sample->counts.refinement.leftForResolution, 0u);
+    double least = 180.0;
+    for (const SurfaceFacet& facet : sample->surface->mesh().facets) {
+        if (!facet.isAlive()) continue;
+        const auto at = [&](std::size_t i) {
+            return sample->surface->mesh().nodes[facet.node[i % 3]].position;
+        };
+        for (std::size_t i = 0; i < 3; ++i)
+            least = std::min(least, angleInDegrees(at(i + 1) - at(i), at(i + 2) - at(i)));
+    }
+    EXPECT_GT(least, 20.0);
 }
 
 TEST(OcctSurfaces, SplitCurvesThatAreCoarseBesideAThinFace)
