@@ -29,7 +29,8 @@ public:
         bool isSmallest = false;
         for (const auto& [k, l] : kTetEdgeCorners) {
             const double cosine = -dot(face[k], face[l]) * inverse[k] * inverse[l];
-            const int bin = cosine > -1.0 && cosine < 1.0 ? binOfCell_[cellOf(cosine)] : kMixed;
+            const bool isInside = std::abs(cosine) < 1.0 - kRounding;
+            const int bin = isInside ? binOfCell_[cellOf(cosine)] : kMixed;
             const bool isExtreme = cosine > largestCosine_ - kRounding || cosine < leastCosine_ + kRounding;
             if (bin != kMixed && !isExtreme) {
                 ++quality.dihedralHistogram[static_cast<std::size_t>(bin)];
