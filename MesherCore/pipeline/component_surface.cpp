@@ -1,6 +1,6 @@
 #include "pipeline/component_surface.h"
 
-#include "base/indexed_map.h"
+#include "pipeline/facet_departures.h"
 #include "sizing/distances.h"
 #include "surface_sampling/triangle_intersection.h"
 
@@ -27,11 +27,6 @@ std::vector<FacetId> livingFacets(const SurfaceMesh& mesh)
     return facets;
 }
 
-std::uint64_t keyOf(NodeId a, NodeId b)
-{
-    return std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
-}
-
 std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, FacetId facet)
 {
     std::array<Vec3, 3> corners;
@@ -39,40 +34,10 @@ std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, FacetId facet)
     return corners;
 }
 
-/// How far the middle of each segment is from its curve, by the nodes of the segment.
-IndexedMap<std::uint64_t, double> departuresOf(const BrepModel& model, const SurfaceMesh& mesh)
-{
-    IndexedMap<std::uint64_t, double> departures;
-    for (const SurfaceSegment& segment : mesh.segments) {
-        if (!segment.isAlive() || model.edges[segment.edge].isDegenerate) continue;
-        const auto& [a, b] = segment.node;
-        const Vec3 chord = 0.5 * (mesh.nodes[a].position + mesh.nodes[b].position);
-        const auto& [from, to] = segment.parameter;
-        const Vec3 curve = model.edges[segment.edge].curve->position(0.5 * (from + to));
-        departures.insert(keyOf(a, b), length(chord - curve));
-    }
-    return departures;
-}
-
-/// From what the middle of each facet departs from its face, and the middle of its segments from their curves: there faces go
-/// on beyond their facets.
 IdVector<FacetId, double> sagsOf(const BrepModel& model, const SurfaceMesh& mesh)
 {
-    const IndexedMap<std::uint64_t, double> departures = departuresOf(model, mesh);
-    IdVector<FacetId, double> sags(mesh.facets.size());
-    for (const FacetId facet : livingFacets(mesh)) {
-        const std::array<Vec3, 3> corner = cornersOf(mesh, facet);
-        const auto& [face, node, uv] =
-            std::tie(mesh.facets[facet].face, mesh.facets[facet].node, mesh.facets[facet].parameters);
-        const Vec3 middle = (1.0 / 3.0) * (corner[0] + corner[1] + corner[2]);
-        const Vec2 parameters = (1.0 / 3.0) * (uv[0] + uv[1] + uv[2]);
-        double departure = model.faces[face].surface->project(middle, parameters).distance;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double* known = departures.find(keyOf(node[i], node[(i + 1) % 3]));
-            if (known != nullptr) departure = std::max(departure, *known);
-        }
-        sags[facet] = kCutOff * departure;
-    }
+    IdVector<FacetId, double> sags = facetDepartures(model, mesh);
+    for (double& sag : sags) sag *= kCutOff;
     return sags;
 }
 
@@ -91,32 +56,6 @@ std::vector<Box3> boxesOf(const SurfaceMesh& mesh, const std::vector<FacetId>& f
         boxes.push_back(box);
     }
     return boxes;
-}
-
-/// Barycentric coordinates of the point of a triangle that is closest to a place.
-std::array<double, 3> closestWeights(const Vec3& place, const std::array<Vec3, 3>& corner)
-{
-    const auto& [a, b, c] = corner;
-    const Vec3 normal = cross(b - a, c - a);
-    const double square = squaredLength(normal);
-    if (square > 0.0) {
-        const double wb = dot(cross(place - a, c - a), normal) / square;
-        const double wc = dot(cross(b - a, place - a), normal) / square;
-        if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0) return {1.0 - wb - wc, wb, wc};
-    }
-    std::array<double, 3> best = {1.0, 0.0, 0.0};
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3;
-        const double share = closestShare(place, corner[i], corner[j]);
-        const double distance = squaredLength(place - ((1.0 - share) * corner[i] + share * corner[j]));
-        if (distance >= least) continue;
-        least = distance;
-        best = {0.0, 0.0, 0.0};
-        best[i] = 1.0 - share;
-        best[j] = share;
-    }
-    return best;
 }
 
 /// Whether the segment from a to b may meet the box.
