@@ -7,16 +7,14 @@
 #include "io/write_curved_boundary.h"
 #include "io/write_text_file.h"
 #include "pipeline/mesh_model.h"
+#include "pipeline/stage_watch.h"
 
-#include <chrono>
 #include <iomanip>
 #include <optional>
 
 namespace mesher {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A run of `mesher mesh`: each step returns whether the next one may follow.
 class MeshRun
@@ -93,10 +91,10 @@ private:
     {
         progress_.show("reading the model", 0.0);
         interrupt_.enter(InterruptScope::Phase::Immediate);
-        const Clock::time_point start = Clock::now();
+        const StageWatch watch;
         Result<ReadModel> read = readModel(command_.model, ReadOptions{command_.heals});
         interrupt_.enter(InterruptScope::Phase::Cooperative);
-        addSeconds("reading", start);
+        watch.addTo(report_, "reading");
         if (!read) {
             fail(read.error());
             return false;
@@ -136,12 +134,14 @@ private:
     {
         report.modelFile = std::move(report_.modelFile);
         report.seconds.insert(report.seconds.begin(), report_.seconds.begin(), report_.seconds.end());
+        report.cpuSeconds.insert(report.cpuSeconds.begin(), report_.cpuSeconds.begin(),
+                                 report_.cpuSeconds.end());
         report_ = std::move(report);
     }
 
     bool writeOutputs()
     {
-        const Clock::time_point start = Clock::now();
+        const StageWatch watch;
         for (const OutputTarget& output : command_.outputs) {
             if (!context_.reportProgress("writing", 0.0)) {
                 report_.status = MeshReport::Status::Cancelled;
@@ -151,7 +151,7 @@ private:
             if (failIf(writeMesh(*mesh_, output.path, output.format))) return false;
         }
         if (command_.curvedBoundary && failIf(writeBoundary())) return false;
-        addSeconds("writing", start);
+        watch.addTo(report_, "writing");
         return true;
     }
 
@@ -201,15 +201,11 @@ private:
             console_.err << "mesher: note: " << warning << '\n';
     }
 
-    void tellElements(std::size_t count, const char* what, const RangeStatistics& angles)
+    template <class Range>
+    void tellElements(std::size_t count, const char* what, const Range& angles)
     {
         console_.out << count << ' ' << what << " from " << angles.least() << " to " << angles.largest()
                      << " degrees, ";
-    }
-
-    void addSeconds(const char* stage, Clock::time_point start)
-    {
-        report_.seconds.emplace_back(stage, std::chrono::duration<double>(Clock::now() - start).count());
     }
 
     const MeshCommand& command_;

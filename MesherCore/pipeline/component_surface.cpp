@@ -1,6 +1,6 @@
 #include "pipeline/component_surface.h"
 
-#include "pipeline/facet_departures.h"
+#include "base/indexed_map.h"
 #include "sizing/distances.h"
 #include "surface_sampling/triangle_intersection.h"
 
@@ -27,6 +27,11 @@ std::vector<FacetId> livingFacets(const SurfaceMesh& mesh)
     return facets;
 }
 
+std::uint64_t keyOf(NodeId a, NodeId b)
+{
+    return std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
+}
+
 std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, FacetId facet)
 {
     std::array<Vec3, 3> corners;
@@ -34,11 +39,58 @@ std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, FacetId facet)
     return corners;
 }
 
-IdVector<FacetId, double> sagsOf(const BrepModel& model, const SurfaceMesh& mesh)
+/// The middle of a segment and that of its curve.
+struct SegmentMiddle
 {
-    IdVector<FacetId, double> sags = facetDepartures(model, mesh);
-    for (double& sag : sags) sag *= kCutOff;
-    return sags;
+    Vec3 chord;
+    Vec3 curve;
+};
+
+/// By the nodes of the segments.
+IndexedMap<std::uint64_t, SegmentMiddle> segmentMiddles(const BrepModel& model, const SurfaceMesh& mesh)
+{
+    IndexedMap<std::uint64_t, SegmentMiddle> middles;
+    for (const SurfaceSegment& segment : mesh.segments) {
+        if (!segment.isAlive() || model.edges[segment.edge].isDegenerate) continue;
+        const auto& [a, b] = segment.node;
+        const Vec3 chord = 0.5 * (mesh.nodes[a].position + mesh.nodes[b].position);
+        const auto& [from, to] = segment.parameter;
+        middles.insert(keyOf(a, b), {chord, model.edges[segment.edge].curve->position(0.5 * (from + to))});
+    }
+    return middles;
+}
+
+/// How far a facet departs from its face, and whether it keeps to the face in parameters: its edges on the face's boundary are
+/// lines of parameters there.
+struct Departure
+{
+    double sag = 0.0;
+    bool isFlush = true;
+};
+
+/// From what the middle of the facet departs from its face, and the middle of its segments from their curves: there faces go
+/// on beyond their facets.
+Departure departureOf(const BrepModel& model, const SurfaceMesh& mesh, FacetId facet,
+                      const IndexedMap<std::uint64_t, SegmentMiddle>& middles)
+{
+    const std::array<Vec3, 3> corner = cornersOf(mesh, facet);
+    const auto& [face, node, uv] =
+        std::tie(mesh.facets[facet].face, mesh.facets[facet].node, mesh.facets[facet].parameters);
+    const Surface& surface = *model.faces[face].surface;
+    const Vec3 middle = (1.0 / 3.0) * (corner[0] + corner[1] + corner[2]);
+    double largest = surface.project(middle, (1.0 / 3.0) * (uv[0] + uv[1] + uv[2])).distance;
+    Departure departure;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const SegmentMiddle* known = middles.find(keyOf(node[i], node[j]));
+        if (known == nullptr) continue;
+        largest = std::max(largest, length(known->chord - known->curve));
+        const Vec3 between = surface.position(0.5 * (uv[i] + uv[j]));
+        departure.isFlush =
+            departure.isFlush && length(between - known->curve) <= model.faces[face].tolerance;
+    }
+    departure.sag = kCutOff * largest;
+    return departure;
 }
 
 /// Of the facets, grown by their sags where there are some.
@@ -80,12 +132,21 @@ ComponentSurface::ComponentSurface(const BrepModel& model, const SurfaceMesh& me
     : model_(model),
       mesh_(mesh),
       sides_(sides),
-      sag_(sagsOf(model, mesh)),
+      sag_(mesh.facets.size()),
+      isFlush_(mesh.facets.size()),
       facets_(livingFacets(mesh)),
       tree_(boxesOf(mesh, facets_, nullptr)),
-      faceTree_(boxesOf(mesh, facets_, &sag_))
+      faceTree_(std::span<const Box3>())
 {
     for (const MeshNode& node : mesh.nodes) box_.include(node.position);
+    const IndexedMap<std::uint64_t, SegmentMiddle> middles = segmentMiddles(model, mesh);
+    for (const FacetId facet : facets_) {
+        const Departure departure = departureOf(model, mesh, facet, middles);
+        sag_[facet] = departure.sag;
+        isFlush_[facet] = departure.isFlush ? 1 : 0;
+        largestSag_ = std::max(largestSag_, departure.sag);
+    }
+    faceTree_ = BoxTree(boxesOf(mesh, facets_, &sag_));
 }
 
 ComponentSurface::Nearest ComponentSurface::nearest(const Vec3& place) const
@@ -156,8 +217,22 @@ std::optional<SurfaceProjection> ComponentSurface::onFace(FacetId facet, const V
 {
     const BrepFace& face = model_.faces[mesh_.facets[facet].face];
     const SurfaceProjection exact = face.surface->project(place, parameters);
-    if (face.trim && face.trim->classify(exact.parameters) == TrimSide::Outside) return std::nullopt;
+    // The kernel is slow where the boundary is near.
+    if (!face.trim || isOnFacet(facet, exact.parameters)) return exact;
+    if (face.trim->classify(exact.parameters) == TrimSide::Outside) return std::nullopt;
     return exact;
+}
+
+bool ComponentSurface::isOnFacet(FacetId facet, Vec2 parameters) const
+{
+    constexpr double kRounding = 1e-9;
+    if (isFlush_[facet] == 0) return false;
+    const auto& [a, b, c] = mesh_.facets[facet].parameters;
+    const double area = cross(b - a, c - a);
+    const double least = -kRounding * std::abs(area);
+    const double sign = area < 0.0 ? -1.0 : 1.0;
+    return area != 0.0 && sign * cross(b - a, parameters - a) >= least &&
+           sign * cross(c - b, parameters - b) >= least && sign * cross(a - c, parameters - c) >= least;
 }
 
 BrepSolidId ComponentSurface::solidAt(BrepFaceId face, bool isInFront) const
@@ -183,6 +258,7 @@ ComponentSurface::Position ComponentSurface::positionOf(const Vec3& place, doubl
         const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
         decide(mesh_.facets[nearestFacet.facet].face, dot(place - nearestFacet.place, normal) > 0.0);
         position.depth = nearestFacet.distance;
+        if (position.kind == Kind::Outside) position.clearance = nearestFacet.distance;
         return position;
     }
     // Nearer, any of their faces may be the one at the place.

@@ -48,6 +48,7 @@ public:
         BrepSolidId solid;           ///< that it touches or is in
         std::vector<Touch> touched;  ///< the faces, if it touches any
         double depth = 0.0;          ///< from the surface, if it is inside
+        double clearance = 0.0;      ///< no facet is nearer, if it is outside and beyond what facets cut off
     };
 
     [[nodiscard]] const Box3& box() const { return box_; }
@@ -59,6 +60,7 @@ public:
     [[nodiscard]] Position positionOf(const Vec3& place, double tolerance) const;
     /// A bound of how far a facet is from its face.
     [[nodiscard]] double sagOf(FacetId facet) const { return sag_[facet]; }
+    [[nodiscard]] double largestSag() const { return largestSag_; }
     /// The exact point of a facet's face by about these parameters; nothing outside of the face.
     [[nodiscard]] std::optional<SurfaceProjection> onFace(FacetId facet, const Vec3& place,
                                                           Vec2 parameters) const;
@@ -72,12 +74,17 @@ private:
     [[nodiscard]] std::vector<Nearest> facesAbout(const Vec3& place, double tolerance,
                                                   const Nearest& nearestFacet) const;
     [[nodiscard]] Nearest footOn(FacetId facet, const Vec3& place) const;
+    /// Whether the face is there without asking for its exact boundary.
+    [[nodiscard]] bool isOnFacet(FacetId facet, Vec2 parameters) const;
 
     const BrepModel& model_;
     const SurfaceMesh& mesh_;
     const RegionSides& sides_;
     Box3 box_;
     IdVector<FacetId, double> sag_;
+    IdVector<FacetId, std::uint8_t>
+        isFlush_;  ///< in parameters it has no part beyond the boundary of its face
+    double largestSag_ = 0.0;
     std::vector<FacetId> facets_;  ///< of the boxes of the trees
     BoxTree tree_;                 ///< of the facets
     BoxTree faceTree_;             ///< of facets with what they may depart from their face

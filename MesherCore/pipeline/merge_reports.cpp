@@ -1,33 +1,17 @@
 #include "pipeline/merge_reports.h"
 
+#include "pipeline/report_entries.h"
+
 #include <algorithm>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace mesher {
 
-namespace {
-
-/// Adds to the entry of that name, which is made if there is none.
-template <typename Number>
-void addTo(std::vector<std::pair<std::string, Number>>& entries, const std::string& name, Number amount)
-{
-    const auto found =
-        std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.first == name; });
-    if (found == entries.end()) {
-        entries.emplace_back(name, amount);
-    } else {
-        found->second += amount;
-    }
-}
-
-}  // namespace
-
 void addReport(const ModelComponent& component, const MeshReport& part, MeshReport& whole)
 {
-    for (const auto& [name, count] : part.counts) addTo(whole.counts, name, count);
-    for (const auto& [name, spent] : part.seconds) addTo(whole.seconds, name, spent);
+    for (const auto& [name, count] : part.counts) addToEntry(whole.counts, name, count);
+    for (const auto& [name, spent] : part.seconds) addToEntry(whole.seconds, name, spent);
+    for (const auto& [name, spent] : part.cpuSeconds) addToEntry(whole.cpuSeconds, name, spent);
     if (const auto& angles = part.anglesBeforeImprovement) {
         if (!whole.anglesBeforeImprovement) whole.anglesBeforeImprovement = DihedralRange{};
         DihedralRange& all = *whole.anglesBeforeImprovement;

@@ -191,6 +191,7 @@ std::string toJson(const MeshReport& report)
                  {"left", toJson(report.left)},
                  {"counts", objectOf(report.counts)},
                  {"seconds", objectOf(report.seconds)},
+                 {"cpu_seconds", objectOf(report.cpuSeconds)},
                  {"quality", nullptr},
                  {"model",
                   {{"file", report.modelFile},

@@ -44,6 +44,8 @@ struct MeshReport
     std::vector<LeftElements> left;  ///< after refinement, those with the most elements first
     std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< by stage, in its order
     std::vector<std::pair<std::string, double>> seconds;        ///< by stage, in its order
+    /// Of all threads of the process, by stage. Of plane domains only reading and writing are known.
+    std::vector<std::pair<std::string, double>> cpuSeconds;
     std::optional<TetQuality> tetQuality;
     std::optional<DihedralRange> anglesBeforeImprovement;
     std::optional<TriangleQuality> triangleQuality;

@@ -9,6 +9,7 @@
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_run.h"
 #include "pipeline/solid_sizes.h"
+#include "pipeline/stage_watch.h"
 
 #include <algorithm>
 #include <deque>
@@ -84,9 +85,11 @@ void finish(const MeshOptions& options, MeshOutcome& outcome)
     std::stable_sort(outcome.report.left.begin(), outcome.report.left.end(),
                      [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
+    const StageWatch watch;
     describeMesh(*outcome.mesh, outcome.report);
     const bool isWhole = outcome.report.status == MeshReport::Status::Done;
     if (isWhole && options.isChecked) checkWhole(*outcome.mesh, outcome.report);
+    watch.addTo(outcome.report, "measures");
 }
 
 std::vector<SampledComponent> sampledComponents(const std::vector<ModelComponent>& components,
@@ -119,8 +122,10 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome whole;
     whole.report.options = options;
+    const StageWatch estimation;
     tellMeasures(model, whole.report);
     const Result<void> affordable = checkAffordable(estimateSolids(model, options, sizes->get()), options);
+    estimation.addTo(whole.report, "estimate");
     if (!affordable) {
         fail(whole.report, affordable.error());
         return whole;
@@ -129,7 +134,9 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     std::deque<SolidRun> runs;
     for (const ModelComponent& component : components)
         runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
+    const StageWatch comparison;
     const bool areFree = tellContacts(sampledComponents(components, runs), whole.report);
+    comparison.addTo(whole.report, "contacts");
     ClassifiedMesh mesh;
     for (std::size_t i = 0; i < components.size(); ++i) {
         whole.report.warnings.insert(whole.report.warnings.end(), components[i].notes.begin(),

@@ -32,7 +32,11 @@ class ContactSearch
 {
 public:
     ContactSearch(const ComponentSurface& own, const ComponentSurface& other, double tolerance)
-        : own_(own), other_(other), tolerance_(tolerance)
+        : own_(own),
+          other_(other),
+          tolerance_(tolerance),
+          clearance_(own.mesh().nodes.size()),
+          known_(own.mesh().nodes.size())
     {
     }
 
@@ -68,11 +72,15 @@ private:
     {
         const SurfaceFacet& f = own_.mesh().facets[facet];
         const auto at = [&](std::size_t i) { return own_.mesh().nodes[f.node[i]].position; };
-        for (std::size_t i = 0; i < 3; ++i) tryPlace({facet, at(i), {}, false}, f.parameters[i]);
+        for (std::size_t i = 0; i < 3; ++i) tryNode(facet, i);
         const Vec3 middle = (1.0 / 3.0) * (at(0) + at(1) + at(2));
-        tryExact(facet, middle, (1.0 / 3.0) * (f.parameters[0] + f.parameters[1] + f.parameters[2]), true);
+        // The exact point is off the middle by less than facets depart from faces.
+        if (clearanceAt(facet, middle) <= reach(facet) + own_.sagOf(facet))
+            tryExact(facet, middle, (1.0 / 3.0) * (f.parameters[0] + f.parameters[1] + f.parameters[2]),
+                     true);
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
+            if (clearance_[f.node[i]] > length(at(j) - at(i))) continue;
             const std::vector<double> shares = other_.crossings(at(i), at(j));
             for (std::size_t k = 1; k < shares.size(); ++k) {
                 const double t = 0.5 * (shares[k - 1] + shares[k]);
@@ -80,6 +88,35 @@ private:
                          (1.0 - t) * f.parameters[i] + t * f.parameters[j], false);
             }
         }
+    }
+
+    /// A corner; what is known of it from another facet, or from a corner beside, is not asked again.
+    void tryNode(FacetId facet, std::size_t corner)
+    {
+        const SurfaceFacet& f = own_.mesh().facets[facet];
+        const NodeId node = f.node[corner];
+        const Vec3& place = own_.mesh().nodes[node].position;
+        clearance_[node] = std::max(clearance_[node], clearanceAt(facet, place));
+        if (clearance_[node] > reach(facet)) return;
+        tryPlace({facet, place, {}, false}, f.parameters[corner], node);
+    }
+
+    /// About a corner of known clearance a ball is free of the other surface, and so is a smaller one about a place in it.
+    [[nodiscard]] double clearanceAt(FacetId facet, const Vec3& place) const
+    {
+        double clearance = 0.0;
+        for (const NodeId node : own_.mesh().facets[facet].node) {
+            if (clearance_[node] == 0.0) continue;
+            const double distance = length(place - own_.mesh().nodes[node].position);
+            clearance = std::max(clearance, clearance_[node] - distance);
+        }
+        return clearance;
+    }
+
+    /// Farther off, nothing of the other group can matter to a place of the facet.
+    [[nodiscard]] double reach(FacetId facet) const
+    {
+        return tolerance_ + nearness(facet) + other_.largestSag();
     }
 
     void tryExact(FacetId facet, const Vec3& place, Vec2 parameters, bool isInsideFace)
@@ -93,11 +130,11 @@ private:
         tryPlace({facet, exact->position, unit, isInsideFace}, exact->parameters);
     }
 
-    void tryPlace(const Sample& sample, Vec2 parameters)
+    void tryPlace(const Sample& sample, Vec2 parameters, NodeId node = NodeId())
     {
         if (isOverlapFound() || !isNear(sample.place, other_.box(), tolerance_ + nearness(sample.facet)))
             return;
-        const ComponentSurface::Position position = other_.positionOf(sample.place, tolerance_);
+        const ComponentSurface::Position position = positionOf(sample.place, node);
         if (position.kind == Kind::Inside) {
             keep(sample, position, position.depth > kDeep * tolerance_);
         } else if (position.kind == Kind::Touching) {
@@ -105,6 +142,15 @@ private:
         } else if (!found_) {
             approach(sample, parameters);
         }
+    }
+
+    ComponentSurface::Position positionOf(const Vec3& place, NodeId node)
+    {
+        if (!node.isValid()) return other_.positionOf(place, tolerance_);
+        std::optional<ComponentSurface::Position>& known = known_[node];
+        if (!known) known = other_.positionOf(place, tolerance_);
+        clearance_[node] = std::max(clearance_[node], known->clearance);
+        return *known;
     }
 
     /// Facets depart from faces by this: so near, surfaces may touch where their facets do not.
@@ -161,6 +207,8 @@ private:
     const ComponentSurface& own_;
     const ComponentSurface& other_;
     double tolerance_;
+    IdVector<NodeId, double> clearance_;  ///< no facet of the other group is nearer to the node; 0: not known
+    IdVector<NodeId, std::optional<ComponentSurface::Position>> known_;
     std::optional<SolidContact> found_;
 };
 

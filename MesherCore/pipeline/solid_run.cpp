@@ -7,6 +7,7 @@
 #include "pipeline/left_elements.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/stage_counts.h"
+#include "pipeline/stage_watch.h"
 #include "pipeline/wall_estimate.h"
 #include "refinement/refine_volume.h"
 #include "sizing/combined_size.h"
@@ -48,7 +49,9 @@ const SurfaceMesh* SolidRun::surface() const { return isSampled_ ? &sample_.surf
 MeshOutcome SolidRun::meshVolumes()
 {
     if (isSampled_ && canFillWalls() && tetrahedralizeSample() && refine()) {
+        const StageWatch watch;
         outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
+        watch.addTo(report(), "classification");
         if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
     }
     return outcome_.mesh ? std::move(outcome_) : keepSurface();
@@ -90,10 +93,10 @@ SurfaceSamplingOptions SolidRun::samplingOfShape() const
 bool SolidRun::findFeatures()
 {
     if (!options_.refinement) return true;
-    const Clock::time_point start = Clock::now();
+    const StageWatch watch;
     const FeatureSizes features =
         featureSizes(model_, sides_, samplingOfShape(), *options_.refinement, options_.grading, context_);
-    addSeconds("features", start);
+    watch.addTo(report(), "features");
     if (features.failure) return failed(*features.failure);
     if (!mayGoOn(features.stopReason)) return false;
     std::vector<std::shared_ptr<const SizingField>> fields = {features.field};
@@ -112,9 +115,9 @@ bool SolidRun::sample()
     sampling.facets.maxSag = options_.sag;
     sampling.facets.sizes = sizes_.get();
     sampling.facets.leastCurvatureSize = options_.minSize.value_or(0.0);
-    const Clock::time_point start = Clock::now();
+    const StageWatch watch;
     Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);
-    addSeconds("surfaces", start);
+    watch.addTo(report(), "surfaces");
     if (!sampled) return failed(sampled.error());
     sample_ = std::move(sampled).value();
     tellCounts(sample_.counts, report());
@@ -132,7 +135,9 @@ bool SolidRun::boundsVolumes()
 
 bool SolidRun::canFillWalls()
 {
+    const StageWatch watch;
     const WallEstimate walls = estimateWalls(sample_.surface->mesh(), sides_);
+    watch.addTo(report(), "walls");
     if (walls.elements <= mostExpectedElements(options_)) return true;
     std::ostringstream message;
     message.precision(3);
@@ -146,10 +151,12 @@ bool SolidRun::canFillWalls()
 bool SolidRun::tetrahedralizeSample()
 {
     TetrahedralizationOptions recovery;
+    // Refinement puts vertices about where scaffold points are anyway, and their removal costs more than all the rest.
+    recovery.scaffold = SurfaceScaffold::Kept;
     recovery.limits.maxTime = timeLeft();
-    const Clock::time_point start = Clock::now();
+    const StageWatch watch;
     Result<Tetrahedralization> made = tetrahedralize(*sample_.surface, sides_, recovery, context_);
-    addSeconds("tetrahedralization", start);
+    watch.addTo(report(), "tetrahedralization");
     if (!made) return failed(made.error());
     tetrahedralization_ = std::move(made).value();
     tellCounts(tetrahedralization_.counts, report());
@@ -170,10 +177,10 @@ bool SolidRun::refine()
     refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
     refinement.limits.maxElements = options_.maxElements;
     refinement.limits.maxTime = timeLeft();
-    const Clock::time_point start = Clock::now();
+    const StageWatch watch;
     Result<RefinedVolume> refined =
         refineVolume(tetrahedralization_.tets, *sample_.surface, refinement, context_);
-    addSeconds("refinement", start);
+    watch.addTo(report(), "refinement");
     if (!refined) return failed(refined.error());
     tellCounts(refined.value(), report());
     tellLeftElements(refined.value(), report());
@@ -189,9 +196,9 @@ void SolidRun::improve()
     improvement.maxSag = options_.sag;
     improvement.limits.maxTime = timeLeft();
     improvement.limits.maxOperations = mostTries(outcome_.mesh->tets.size());
-    const Clock::time_point start = Clock::now();
+    const StageWatch watch;
     const Result<SolidImprovement> improved = improveSolids(*outcome_.mesh, model_, improvement, context_);
-    addSeconds("improvement", start);
+    watch.addTo(report(), "improvement");
     if (!improved) {
         failed(improved.error());
         return;
@@ -223,11 +230,6 @@ std::optional<SolidRun::Clock::duration> SolidRun::timeLeft() const
     if (!options_.timeout) return std::nullopt;
     const double left = std::max(0.0, std::min(*options_.timeout, 1e9) - secondsSince(start_));
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
-}
-
-void SolidRun::addSeconds(const char* stage, Clock::time_point since)
-{
-    report().seconds.emplace_back(stage, secondsSince(since));
 }
 
 }  // namespace mesher

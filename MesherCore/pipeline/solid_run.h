@@ -54,7 +54,6 @@ private:
     bool failed(Error error);
     bool mayGoOn(StopReason reason);
     [[nodiscard]] std::optional<Clock::duration> timeLeft() const;
-    void addSeconds(const char* stage, Clock::time_point since);
 
     const BrepModel& model_;
     const MeshOptions& options_;

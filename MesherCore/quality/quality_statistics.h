@@ -45,9 +45,24 @@ struct TriangleQuality
     std::size_t worst = 0;  ///< index of the triangle that has the smallest angle
 };
 
+/// Least and largest of angles in degrees; 0 of none.
+class AngleRange
+{
+public:
+    void add(double degrees);
+
+    [[nodiscard]] double least() const { return isEmpty_ ? 0.0 : least_; }
+    [[nodiscard]] double largest() const { return largest_; }
+
+private:
+    bool isEmpty_ = true;
+    double least_ = 0.0;
+    double largest_ = 0.0;
+};
+
 struct TetQuality
 {
-    RangeStatistics dihedral;  ///< all six of all tets, degrees
+    AngleRange dihedral;  ///< all six of all tets
     AngleHistogram dihedralHistogram{};
     RangeStatistics radiusRatio;  ///< 3 r / R
     RangeStatistics volumeRatio;  ///< 6 sqrt(2) V / L_rms^3

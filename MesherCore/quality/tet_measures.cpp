@@ -12,15 +12,6 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kRegularSolidAngle = 0.55128559843253086;  // 3 arccos(1/3) - pi
 constexpr double kSqrt2 = std::numbers::sqrt2;
 
-/// Twice the area times the outward unit normal of the face opposite to each corner, of a positive tetrahedron.
-std::array<Vec3, 4> doubleFaceVectors(const TetCorners& p)
-{
-    const Vec3 a = p[1] - p[0];
-    const Vec3 b = p[2] - p[0];
-    const Vec3 c = p[3] - p[0];
-    return {cross(p[2] - p[1], p[3] - p[1]), cross(c, b), cross(a, c), cross(b, a)};
-}
-
 struct EdgeLengths
 {
     double shortest = 0.0;
@@ -107,14 +98,26 @@ double minimumSolidAngle(const TetCorners& p, double sixVolumes)
 
 }  // namespace
 
+std::array<Vec3, 4> doubleFaceVectors(const TetCorners& p)
+{
+    const Vec3 a = p[1] - p[0];
+    const Vec3 b = p[2] - p[0];
+    const Vec3 c = p[3] - p[0];
+    return {cross(p[2] - p[1], p[3] - p[1]), cross(c, b), cross(a, c), cross(b, a)};
+}
+
+double dihedralAngle(const Vec3& face, const Vec3& other)
+{
+    return std::atan2(length(cross(face, other)), -dot(face, other)) * kDegrees;
+}
+
 std::array<double, 6> dihedralAngles(const TetCorners& p)
 {
     const std::array<Vec3, 4> face = doubleFaceVectors(p);
     std::array<double, 6> angles{};
     for (std::size_t e = 0; e < 6; ++e) {
         const auto& [k, l] = kTetEdgeCorners[5 - e];
-        const double sine = length(cross(face[k], face[l]));
-        angles[e] = std::atan2(sine, -dot(face[k], face[l])) * kDegrees;
+        angles[e] = dihedralAngle(face[k], face[l]);
     }
     return angles;
 }

@@ -24,6 +24,12 @@ inline constexpr std::array<std::array<std::uint8_t, 2>, 6> kTetEdgeCorners = {
 /// The six dihedral angles in degrees, in the order of kTetEdgeCorners; 0 or 180 at the edges of a flat tetrahedron.
 [[nodiscard]] std::array<double, 6> dihedralAngles(const TetCorners& corners);
 
+/// Twice the area times the outward unit normal of the face opposite to each corner, of a positive tetrahedron.
+[[nodiscard]] std::array<Vec3, 4> doubleFaceVectors(const TetCorners& corners);
+
+/// The angle in degrees between two faces given by such vectors.
+[[nodiscard]] double dihedralAngle(const Vec3& face, const Vec3& other);
+
 /// The measures of the thesis: 1 (q2: 0.943) for the regular tetrahedron, towards 0 for those that they find bad, exactly 0 for
 /// flat and inverted ones.
 /// Reference    [gosselin] section 4.5.1, appendix B.1. Its q8 is printed upside down and the index ranges of q5 and q6 are

@@ -97,8 +97,9 @@ class TestSolids(Case):
         self.assertGreater(report["quality"]["min_dihedral"], 18.0)
         self.assertLess(report["quality"]["max_dihedral"], 155.0)
         self.assertEqual(len(report["quality"]["dihedral_histogram"]), 18)
-        for stage in ("surfaces", "tetrahedralization", "refinement"):
+        for stage in ("reading", "estimate", "surfaces", "contacts", "tetrahedralization", "refinement", "measures", "writing"):
             self.assertIn(stage, report["seconds"])
+            self.assertGreaterEqual(report["cpu_seconds"][stage], 0.0)
 
     def test_two_runs_give_the_same_bytes(self):
         for name in ("a.msh", "b.msh"):

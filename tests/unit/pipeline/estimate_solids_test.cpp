@@ -79,7 +79,8 @@ TEST(EstimateSolids, RefusesAMeshThatIsTooLargeBeforeItIsBegun)
     EXPECT_FALSE(outcome.mesh);
     ASSERT_EQ(outcome.report.failures.size(), 1u);
     EXPECT_EQ(outcome.report.failures[0].code, ErrorCode::OutOfRange);
-    EXPECT_TRUE(outcome.report.seconds.empty());
+    ASSERT_EQ(outcome.report.seconds.size(), 1u);
+    EXPECT_EQ(outcome.report.seconds[0].first, "estimate");
 }
 
 TEST(EstimateSolids, WantsSolids)

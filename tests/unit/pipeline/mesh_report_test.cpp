@@ -12,6 +12,7 @@ TEST(MeshReport, HasTheKeysThatProgramsReadOfAVolumeMesh)
 {
     MeshReport report;
     report.seconds = {{"reading", 0.5}};
+    report.cpuSeconds = {{"reading", 0.25}};
     report.failures = {{ErrorCode::InvalidArgument, "is \"odd\"", "Face6", Vec3{1.0, 2.0, 3.0}, "mend it"}};
     describeMesh(test::twoSolidMesh(), report);
     const auto json = nlohmann::json::parse(toJson(report));
@@ -22,6 +23,7 @@ TEST(MeshReport, HasTheKeysThatProgramsReadOfAVolumeMesh)
     EXPECT_EQ(json["failures"][0]["reason"], "is \"odd\"");
     EXPECT_EQ(json["failures"][0]["remedy"], "mend it");
     EXPECT_EQ(json["seconds"]["reading"], 0.5);
+    EXPECT_EQ(json["cpu_seconds"]["reading"], 0.25);
     EXPECT_EQ(json["counts"]["tets"], 96);
     EXPECT_NEAR(json["quality"]["min_dihedral"].get<double>(), 45.0, 1e-9);
     EXPECT_NEAR(json["quality"]["max_dihedral"].get<double>(), 90.0, 1e-9);

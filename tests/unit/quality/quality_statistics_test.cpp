@@ -1,9 +1,11 @@
 #include "quality/quality_statistics.h"
 
+#include "base/random.h"
 #include "support/sample_meshes.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 namespace mesher {
@@ -64,6 +66,37 @@ TEST(TetQuality, OfKuhnsTetrahedra)
     EXPECT_EQ(
         std::accumulate(quality.dihedralHistogram.begin(), quality.dihedralHistogram.end(), std::uint64_t{0}),
         6 * mesh.tets.size());
+}
+
+TEST(TetQuality, TellsTheAnglesThatArcTangentsTell)
+{
+    Random random(7);
+    ClassifiedMesh mesh;
+    TetQuality expected;
+    double smallest = 360.0;
+    for (std::size_t i = 0; i < 2000; ++i) {
+        MeshElement<4> tet;
+        // From well shaped ones to slivers that are nearly flat.
+        const double height = std::pow(10.0, -8.0 * random.unit());
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            MeshNode node;
+            node.position = {random.unit(), random.unit(), height * random.unit()};
+            tet.node[corner] = mesh.nodes.push_back(node);
+        }
+        mesh.tets.push_back(tet);
+        for (const double angle : dihedralAngles(cornersOf(mesh, tet))) {
+            expected.dihedral.add(angle);
+            addAngle(expected.dihedralHistogram, angle);
+            if (angle >= smallest) continue;
+            smallest = angle;
+            expected.worst = i;
+        }
+    }
+    const TetQuality quality = tetQualityOf(mesh);
+    EXPECT_EQ(quality.dihedral.least(), expected.dihedral.least());
+    EXPECT_EQ(quality.dihedral.largest(), expected.dihedral.largest());
+    EXPECT_EQ(quality.dihedralHistogram, expected.dihedralHistogram);
+    EXPECT_EQ(quality.worst, expected.worst);
 }
 
 }  // namespace
