@@ -10,19 +10,29 @@ namespace mesher {
 
 namespace {
 
-/// Half the derivative of the squared distance, and the derivative of that.
+/// Half the derivative of the squared distance, and the derivative of that, where they were taken.
 struct Slope
 {
     double first = 0.0;
     double second = 0.0;
+    Vec3 place;
 };
 
 Slope slopeAt(const Curve& curve, const Vec3& point, double t)
 {
     const CurvePoint p = curve.evaluate(t);
     const Vec3 d = p.position - point;
-    return {dot(d, p.d1), dot(p.d1, p.d1) + dot(d, p.d2)};
+    return {dot(d, p.d1), dot(p.d1, p.d1) + dot(d, p.d2), p.position};
 }
+
+/// A step between two stations, or a part of it.
+struct Step
+{
+    double a = 0.0;
+    double b = 0.0;
+    Slope atA;
+    Slope atB;
+};
 
 CurveProjection projectionAt(const Curve& curve, const Vec3& point, double t)
 {
@@ -62,6 +72,39 @@ public:
         search(turn, b, atTurn, atB);
     }
 
+    void searchStep(const Step& step)
+    {
+        if ((step.atA.second > 0.0) != (step.atB.second > 0.0)) {
+            searchTurning(step.a, step.b, step.atA, step.atB);
+        } else {
+            search(step.a, step.b, step.atA, step.atB);
+        }
+    }
+
+    /// Halves the step as long as the curve may come nearer in it than what is known: at the tip of a spike it turns back within
+    /// a small part of a step, and slopes at the ends of the step tell nothing of it.
+    void searchHalves(const Step& step, int depth)
+    {
+        constexpr int kMostHalvings = 7;
+        /// A curve between two stations is longer than the chords over its middle, by less than this factor.
+        constexpr double kLengthByChords = 1.5;
+        constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+        const double middle = 0.5 * (step.a + step.b);
+        if (depth >= kMostHalvings || !(middle > step.a && middle < step.b)) return;
+        if (best_.distance <= kRounding * (length(point_) + length(best_.position))) return;
+        const Slope atMiddle = slopeAt(curve_, point_, middle);
+        const double chords =
+            length(atMiddle.place - step.atA.place) + length(step.atB.place - atMiddle.place);
+        const double ends = length(step.atA.place - point_) + length(step.atB.place - point_);
+        if (0.5 * (ends - kLengthByChords * chords) >= best_.distance) return;
+        offer(middle);
+        for (const Step& half :
+             {Step{step.a, middle, step.atA, atMiddle}, Step{middle, step.b, atMiddle, step.atB}}) {
+            searchStep(half);
+            searchHalves(half, depth + 1);
+        }
+    }
+
     [[nodiscard]] const CurveProjection& best() const { return best_; }
 
 private:
@@ -96,6 +139,8 @@ CurveProjection projectOnCurve(const Curve& curve, const Vec3& point, std::span<
     ClosestPoint closest(curve, point);
     closest.offer(stations.front());
     Slope before = slopeAt(curve, point, stations.front());
+    std::vector<Step> steps;
+    steps.reserve(stations.size());
     for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
         const double a = stations[i], end = stations[i + 1];
         const Slope atEnd = slopeAt(curve, point, end);
@@ -103,14 +148,11 @@ CurveProjection projectOnCurve(const Curve& curve, const Vec3& point, std::span<
         const double b = isBreak ? end - kBeforeBreak * (end - a) : end;
         const Slope after = isBreak ? slopeAt(curve, point, b) : atEnd;
         closest.offer(end);
-        const bool turns = (before.second > 0.0) != (after.second > 0.0);
-        if (turns) {
-            closest.searchTurning(a, b, before, after);
-        } else {
-            closest.search(a, b, before, after);
-        }
+        steps.push_back({a, b, before, after});
+        closest.searchStep(steps.back());
         before = atEnd;
     }
+    for (const Step& step : steps) closest.searchHalves(step, 0);
     return closest.best();
 }
 

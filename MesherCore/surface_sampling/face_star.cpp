@@ -8,8 +8,6 @@
 namespace mesher {
 namespace {
 
-/// New triangles may be off the surface's normals by 60 degrees, or as much as those they replace.
-constexpr double kLeastAgreement = 0.5;
 /// Stars grow no further: on sound facets they have 6 sides.
 constexpr std::size_t kMostSides = 128;
 
@@ -111,7 +109,7 @@ bool FaceStar::isToBeRemoved(const StarSide& side) const
     const Vec2 uvC = behind.uv[side.outer.edge()] + shiftBehind(side);
     const double after = std::min(facetAgreement(geometry_, vertex_, side.uvVertex, a, side.uvA, c, uvC),
                                   facetAgreement(geometry_, vertex_, side.uvVertex, c, uvC, b, side.uvB));
-    if (after >= kLeastAgreement) return true;
+    if (after >= kUprightAgreement) return true;
     return after >= std::min(facetAgreement(geometry_, vertex_, side.uvVertex, a, side.uvA, b, side.uvB),
                              facetAgreement(geometry_, b, side.uvB, a, side.uvA, c, uvC));
 }
@@ -140,14 +138,14 @@ void FaceStar::grow(const StarSide& side)
     open_.push_back(sideOf(t, b, shift, side.uvVertex));
 }
 
-bool FaceStar::isFolded() const
+bool FaceStar::isFolded(double leastAgreement) const
 {
     double least = 1.0;
     for (const StarSide& side : sides_) {
         least = std::min(least, facetAgreement(geometry_, vertex_, side.uvVertex, mesh_.vertex(side.a),
                                                side.uvA, mesh_.vertex(side.b), side.uvB));
     }
-    if (least >= kLeastAgreement) return false;
+    if (least >= leastAgreement) return false;
     double before = 1.0;
     for (const TriangleId t : cavity_) before = std::min(before, facetAgreement(geometry_, mesh_, t));
     return least < before;

@@ -17,6 +17,11 @@ enum class StarExtent : std::uint8_t
     Least      ///< the triangle, or the two of the side, that it lies on
 };
 
+/// New triangles may be off the surface's normals by 60 degrees, or as much as those they replace.
+inline constexpr double kUprightAgreement = 0.5;
+/// The same where nothing else helps: off by 89 degrees, still on the surface's side.
+inline constexpr double kSteepAgreement = 0.02;
+
 /// A side of the polygon that the star of a new vertex fills; the star's triangles are new vertex, a, b.
 struct StarSide
 {
@@ -54,7 +59,8 @@ public:
     /// In the image of the triangle it was evaluated in.
     [[nodiscard]] Vec2 parameters() const { return uv_; }
     [[nodiscard]] bool isClosed() const { return isClosed_; }
-    [[nodiscard]] bool isFolded() const;
+    /// Looks a triangle of the star away from the surface, by more than those that it replaces?
+    [[nodiscard]] bool isFolded(double leastAgreement = kUprightAgreement) const;
     /// To the nearest corner of the polygon.
     [[nodiscard]] double squaredSpokeLength() const;
 

@@ -54,6 +54,21 @@ bool FacetCriteria::isTooLong(const FaceMesh& mesh, EdgeLink side) const
     return squaredLength(b.position - a.position) > wanted * wanted;
 }
 
+bool FacetCriteria::isHiding(double agreement, const FacetShape& shape) const
+{
+    const double least = options_.leastCurvatureSize;
+    return leastAgreement_ > 0.0 && agreement < leastAgreement_ &&
+           shape.squaredSide[shape.longest] > least * least;
+}
+
+bool FacetCriteria::hidesSurface(const FaceMesh& mesh, TriangleId t) const
+{
+    const FaceTriangle& record = mesh.triangle(t);
+    const FaceVertex &a = mesh.vertex(record.v[0]), &b = mesh.vertex(record.v[1]),
+                     &c = mesh.vertex(record.v[2]);
+    return isHiding(normalAgreement(a, b, c), FacetShape::of(a.position, b.position, c.position));
+}
+
 FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
 {
     const FaceTriangle& record = mesh.triangle(t);
@@ -72,12 +87,8 @@ FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
     }
     // How far off the normals are is no length, but a facet that hides the surface comes before all others of its size.
     constexpr double kHidden = 4.0;
-    if (options_.maxNormalDeviation < 90.0 || leastAgreement_ > 0.0) {
-        const double agreement = normalAgreement(a, b, c);
-        const double longest = shape.squaredSide[shape.longest];
-        const bool isTiny = longest <= options_.leastCurvatureSize * options_.leastCurvatureSize;
-        if (agreement < leastAgreement_ && !isTiny) excess = std::max(excess, kHidden * (2.0 - agreement));
-    }
+    if (const double agreement = normalAgreement(a, b, c); isHiding(agreement, shape))
+        excess = std::max(excess, kHidden * (2.0 - agreement));
     // Whole octaves, in which facets leave the queue in the order of their making: neighbours follow each other, which is
     // what the cache wants, and no worst facet waits for one half as bad.
     if (excess > 1.0) return {FacetNeed::Size, std::exp2(std::ilogb(excess) / 2)};

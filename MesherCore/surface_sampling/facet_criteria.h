@@ -2,6 +2,7 @@
 
 #include "sizing/sizing_field.h"
 #include "surface_sampling/face_mesh.h"
+#include "surface_sampling/facet_measures.h"
 
 #include <limits>
 
@@ -52,11 +53,15 @@ public:
     explicit FacetCriteria(const FacetCriteriaOptions& options);
 
     [[nodiscard]] FacetVerdict judge(const FaceMesh& mesh, TriangleId t) const;
+    /// Is it off the surface's normals by more than may be, and long enough to matter?
+    [[nodiscard]] bool hidesSurface(const FaceMesh& mesh, TriangleId t) const;
     /// The edge length wanted at a point of the surface, from its position and radius of curvature.
     [[nodiscard]] double sizeAt(const Vec3& point, double curvatureRadius) const;
     [[nodiscard]] bool isTooLong(const FaceMesh& mesh, EdgeLink side) const;
 
 private:
+    [[nodiscard]] bool isHiding(double agreement, const FacetShape& shape) const;
+
     FacetCriteriaOptions options_;
     double squaredRatioLimit_;
     double leastAgreement_;

@@ -181,6 +181,27 @@ FacetSplitStatus FacetSplitter::evaluateSide(EdgeLink side, StarExtent extent)
     return isOnlyNear ? judgeFacetsOfStar() : status;
 }
 
+FacetSplitStatus FacetSplitter::evaluateSteep(TriangleId t, StarExtent extent)
+{
+    encroached_.clear();
+    const EdgeLink side(t, shapeOf(mesh_, t).longest);
+    if (mesh_.segment(side).isValid()) return FacetSplitStatus::NotFound;
+    const FaceTriangle& record = mesh_.triangle(t);
+    const unsigned i = nextCorner(side.edge()), k = previousCorner(side.edge());
+    leastAgreement_ = kSteepAgreement;
+    FacetSplitStatus status = FacetSplitStatus::NotFound;
+    // Near an end facets follow the surface there, however the fold goes on.
+    for (const double share : {0.5, 0.25, 0.75, 0.125, 0.875}) {
+        const SurfaceFacts facts = geometry_.at(record.uv[i] + share * (record.uv[k] - record.uv[i]));
+        star_.evaluateOnSide(side, vertexAt(facts), facts.parameters, extent, {});
+        status = judgeStar();
+        if (status != FacetSplitStatus::NotFound) break;
+    }
+    leastAgreement_ = kUprightAgreement;
+    if (status == FacetSplitStatus::Ready) ++counts_.steepStars;
+    return status;
+}
+
 /// The foot of the middle of a side. Where the surface turns sharply the nearest point may be no foot but an end of the surface,
 /// or lie near one of the ends: then the point between them.
 SurfaceFacts FacetSplitter::middleOnSurface(const FaceTriangle& record, unsigned i, unsigned k) const
@@ -228,7 +249,7 @@ FacetSplitStatus FacetSplitter::judgeStar()
 
 FacetSplitStatus FacetSplitter::judgeFacetsOfStar()
 {
-    if (star_.isFolded()) {
+    if (star_.isFolded(leastAgreement_)) {
         ++counts_.foldedStars;
         return FacetSplitStatus::NotFound;
     }

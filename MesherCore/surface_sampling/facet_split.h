@@ -34,6 +34,7 @@ struct FacetSplitCounts
     std::size_t splitEdges = 0;        ///< nor was that of use: the longest edge was split
     std::size_t lostWalks = 0;
     std::size_t foldedStars = 0;  ///< new vertices that were not inserted for that reason
+    std::size_t steepStars = 0;   ///< new vertices beside steep facets, for want of others
 };
 
 /// Finds the vertex that removes a facet: at the centre of its surface ball, else at the projection of its circumcentre, else
@@ -52,6 +53,10 @@ public:
     [[nodiscard]] FacetSplitStatus evaluate(TriangleId t, StarExtent extent, FacetNeed need);
     /// The vertex in the middle of a side instead, though it may encroach on segments, unless the side is one itself.
     [[nodiscard]] FacetSplitStatus evaluateSide(EdgeLink side, StarExtent extent);
+    /// The vertex in the middle of the longest side, though facets beside it be steep: a facet that bridges a fold of the surface
+    /// is split in no other way, since where the fold is all but upright so are the first facets that follow it. They hide the
+    /// surface still, so they are split further.
+    [[nodiscard]] FacetSplitStatus evaluateSteep(TriangleId t, StarExtent extent);
     /// What a split that is Ready will do.
     [[nodiscard]] FaceStar& star() { return star_; }
     /// Segments between the facet and its new vertex, or in whose balls that would lie.
@@ -77,6 +82,7 @@ private:
     const FacetCriteria& criteria_;
     FacetSplitOptions options_;
     double encroachmentCosine_;
+    double leastAgreement_ = kUprightAgreement;  ///< of new facets with the surface
     FaceStar star_;
     std::vector<SegmentId> encroached_;
     FacetSplitCounts counts_;

@@ -88,6 +88,23 @@ SegmentsByEnds SampledFaces::segmentsOf(BrepFaceId f) const
     return segments;
 }
 
+namespace {
+
+/// Facets beside an edge that is off its face lean by the gap over their width: the finer they are the more. Normals ask for
+/// nothing below this many gaps.
+constexpr double kLeastSizeInGaps = 4.0;
+
+double largestGapOf(const BrepFace& face)
+{
+    double largest = 0.0;
+    for (const BrepLoop& loop : face.loops) {
+        for (const BrepCoedge& coedge : loop.coedges) largest = std::max(largest, coedge.gap);
+    }
+    return largest;
+}
+
+}  // namespace
+
 void SampledFaces::makeFace(BrepFaceId f, const InitialFaceMesh& initial,
                             const IdVector<NodeId, MeshNode>& nodes, const FaceRefinementOptions& options)
 {
@@ -100,6 +117,8 @@ void SampledFaces::makeFace(BrepFaceId f, const InitialFaceMesh& initial,
     }
     FaceRefinementOptions ownOptions = options;
     ownOptions.splits.floor = std::max(options.splits.floor, 10.0 * face.tolerance);
+    double& least = ownOptions.criteria.leastCurvatureSize;
+    least = std::max(least, kLeastSizeInGaps * largestGapOf(face));
     faces_[f] = std::make_unique<SampledFace>(face, std::move(*mesh), boundary_, ownOptions);
 }
 

@@ -24,6 +24,7 @@ FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCount
     splits.splitEdges += other.splits.splitEdges;
     splits.lostWalks += other.splits.lostWalks;
     splits.foldedStars += other.splits.foldedStars;
+    splits.steepStars += other.splits.steepStars;
     forcedStars += other.forcedStars;
     lostSegments += other.lostSegments;
     deferred += other.deferred;
@@ -99,6 +100,7 @@ bool FaceRefiner::queueGivenUp()
 {
     if (!std::exchange(hasGivenUp_, false)) return false;
     bool isAny = false;
+    isTryingAgain_ = true;
     for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
         FaceTriangle& record = mesh_.triangle(TriangleId(i));
         if (!record.isAlive || record.left != FacetLeft::Resolution) continue;
@@ -219,9 +221,12 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         return;
     }
     // Two faces in one small angle must not have the same facet there: one of them gets a vertex on the shell.
-    const FacetSplitStatus status =
-        isLocked ? splitter_.evaluateSide(EdgeLink(t, shape.shortest), StarExtent::Delaunay)
-                 : splitter_.evaluate(t, StarExtent::Delaunay, need);
+    FacetSplitStatus status = isLocked
+                                  ? splitter_.evaluateSide(EdgeLink(t, shape.shortest), StarExtent::Delaunay)
+                                  : splitter_.evaluate(t, StarExtent::Delaunay, need);
+    // Not at once: what is around a facet that bridges a fold mostly gives way to it.
+    if (status == FacetSplitStatus::NotFound && isTryingAgain_ && criteria_.hidesSurface(mesh_, t))
+        status = splitter_.evaluateSteep(t, StarExtent::Delaunay);
     if (status == FacetSplitStatus::Ready) {
         const VertexId v = splitter_.star().commit();
         mesh_.vertex(v).isOnShell = isLocked;

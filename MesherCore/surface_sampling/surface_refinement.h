@@ -143,6 +143,7 @@ private:
     std::size_t boundVertices_ = 0;  ///< in `verticesOf_`
     FaceRefinementCounts counts_;
     bool hasGivenUp_ = false;
+    bool isTryingAgain_ = false;  ///< what was given up is tried by other means as well
 };
 
 }  // namespace mesher

@@ -44,6 +44,7 @@ constexpr std::uint64_t kKernelSeconds = 10;
 constexpr const char* kUsage =
     "solid_fuzz [--solids N (50 x MESHER_TEST_EFFORT)] [--seed S] [--from I] [--steps MASK] [--cpu SECONDS] "
     "[--memory MEGABYTES]\n"
+    "           [--finest N]     sizes are drawn from a 6th to an Nth of the diagonal. DEFAULT: 15\n"
     "           [--resume FILE]  lines of solids that are done: those are not meshed again\n"
     "           [--keep FOLDER]  where models that fail are kept\n"
     "           [--refused 0|1]  whether refusals count as failures. DEFAULT: 0\n"
@@ -57,6 +58,7 @@ struct Options
     std::uint32_t steps = ~0u;
     std::uint64_t cpuSeconds = 60;  ///< of meshing, and of judging
     std::uint64_t memoryMegabytes = 4096;
+    std::uint64_t finest = 15;
     std::filesystem::path resume;
     std::filesystem::path keep;
     bool isRefusalFailure = false;
@@ -82,6 +84,8 @@ std::optional<Options> parseOptions(int count, char** words)
             options.cpuSeconds = value;
         else if (name == "--memory")
             options.memoryMegabytes = value;
+        else if (name == "--finest")
+            options.finest = value;
         else if (name == "--resume")
             options.resume = words[i + 1];
         else if (name == "--keep")
@@ -106,14 +110,14 @@ struct Outcome
     double seconds = 0.0;
 };
 
-MeshOptions drawMeshOptions(std::uint64_t seed, const Box3& box)
+MeshOptions drawMeshOptions(std::uint64_t seed, const Box3& box, double finest)
 {
     Random random(seed ^ 0x5DEECE66Du);
     MeshOptions options;
-    options.size = length(box.extent()) / random.between(6.0, 15.0);
+    options.size = length(box.extent()) / random.between(6.0, finest);
     options.curvature = std::array{0.0, 12.0, 12.0, 20.0}[random.below(4)];
     if (random.below(6) == 0) options.localSizes.push_back({"Face1", 0.3 * *options.size});
-    options.maxElements = 600'000;
+    options.maxElements = 2'000'000;
     return options;
 }
 
@@ -133,8 +137,8 @@ std::optional<std::string> changeByThreads(const BrepModel& model, MeshOptions o
 class Trial
 {
 public:
-    Trial(std::uint64_t seed, std::uint64_t cpuSeconds, const EnterPhase& enter)
-        : seed_(seed), cpuSeconds_(cpuSeconds), enter_(enter)
+    Trial(std::uint64_t seed, const Options& options, const EnterPhase& enter)
+        : seed_(seed), options_(options), enter_(enter)
     {
     }
 
@@ -153,11 +157,11 @@ public:
     }
 
 private:
-    void enter(const std::string& phase) const { enter_(phase + solid_.recipe, cpuSeconds_); }
+    void enter(const std::string& phase) const { enter_(phase + solid_.recipe, options_.cpuSeconds); }
 
     SolidVerdict meshAndJudge(const BrepModel& model, const TopoDS_Shape& shape) const
     {
-        const MeshOptions options = drawMeshOptions(seed_, model.box);
+        const MeshOptions options = drawMeshOptions(seed_, model.box, static_cast<double>(options_.finest));
         enter("meshing ");
         RunContext context;
         const MeshOutcome outcome = meshModel(model, options, nullptr, 2, context);
@@ -187,7 +191,7 @@ private:
     }
 
     std::uint64_t seed_;
-    std::uint64_t cpuSeconds_;
+    const Options& options_;
     const EnterPhase& enter_;
     RandomSolid solid_;
 };
@@ -258,7 +262,7 @@ private:
     {
         const std::uint64_t seed = options_.seed * 0x9E3779B97F4A7C15u + index;
         const auto work = [&](const EnterPhase& enter) {
-            return Trial(seed, options_.cpuSeconds, enter).run(mask, file_);
+            return Trial(seed, options_, enter).run(mask, file_);
         };
         return outcomeOf(runLimited(work, options_.memoryMegabytes));
     }

@@ -191,6 +191,7 @@ private:
             if (part.Value().ShapeType() != TopAbs_WIRE) continue;
             auto coedges = coedgesOf(part.Value(), face, result, name);
             if (!coedges) return coedges.error();
+            leaveOutFalsePoles(*coedges, result, name);
             if (coedges->empty()) continue;
             OrderedWire wire = orderWire(model_, *std::move(coedges));
             for (const BrepVertexId open : wire.openVertices)
@@ -220,6 +221,41 @@ private:
             coedges.push_back(std::move(coedge));
         }
         return coedges;
+    }
+
+    /// Vertices of a wide tolerance make readers mark a whole closed edge as a pole, and add that beside the edge.
+    void leaveOutFalsePoles(std::vector<BrepCoedge>& coedges, const BrepFace& face, const std::string& name)
+    {
+        const auto isFalse = [&](const BrepCoedge& pole) {
+            return model_.edges[pole.edge].isDegenerate &&
+                   std::any_of(coedges.begin(), coedges.end(), [&](const BrepCoedge& other) {
+                       return runsAlong(pole, model_.edges[other.edge], face);
+                   });
+        };
+        std::vector<BrepEdgeId> found;
+        for (const BrepCoedge& coedge : coedges) {
+            if (isFalse(coedge)) found.push_back(coedge.edge);
+        }
+        for (const BrepEdgeId id : found) {
+            note(nameOf(id), "is marked as a pole of " + name + " and runs along another edge, left out");
+            std::erase_if(coedges, [&](const BrepCoedge& coedge) { return coedge.edge == id; });
+        }
+    }
+
+    /// Does the pole have an extent, which is that of a closed edge at its vertex?
+    [[nodiscard]] bool runsAlong(const BrepCoedge& pole, const BrepEdge& edge, const BrepFace& face) const
+    {
+        constexpr int kSamples = 16;
+        const BrepEdge& own = model_.edges[pole.edge];
+        const double close = std::max({Precision::Confusion(), edge.tolerance, face.tolerance});
+        if (edge.isDegenerate || edge.first != own.first || edge.last != own.first ||
+            pole.gap <= 10.0 * close)
+            return false;
+        for (int i = 0; i <= kSamples; ++i) {
+            const Vec2 uv = pole.parameterCurve->position(own.part.at(static_cast<double>(i) / kSamples));
+            if (edge.curve->project(face.surface->position(uv), edge.part).distance > close) return false;
+        }
+        return true;
     }
 
     std::shared_ptr<const ParameterCurve> parameterCurve(const TopoDS_Edge& edge, const TopoDS_Face& face,

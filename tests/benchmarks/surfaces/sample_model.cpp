@@ -149,6 +149,7 @@ int main(int count, char** words)
               << ", \"edges_split\": " << c.refinement.splits.splitEdges
               << ", \"lost\": " << c.refinement.splits.lostWalks
               << ", \"folded\": " << c.refinement.splits.foldedStars
+              << ", \"steep\": " << c.refinement.splits.steepStars
               << ", \"crossing\": " << c.certificate.found << ", \"shared\": " << c.certificate.shared
               << ", \"crossing_left\": " << c.certificate.left
               << ", \"certificate_rounds\": " << c.certificate.rounds

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace mesher {
 
@@ -49,6 +51,27 @@ BSplineData clampedSpline(std::size_t degree, std::vector<double> interior, std:
 }
 
 }  // namespace
+
+TEST(AnalyticCurves, SplinesFindTheirOwnPointsWhereTheyTurnSharply)
+{
+    using Poles = std::vector<Vec3>;
+    const std::array<Poles, 3> examples = {
+        Poles{{0.75, 0.65, 0.0}, {0.9, 0.75, 0.0}, {0.25, 0.05, 0.0}, {0.25, 0.0, 0.0}},
+        Poles{{0.95, 0.0, 0.0}, {0.1, 0.65, 0.0}, {0.05, 0.8, 0.0}, {0.8, 0.15, 0.0}},
+        Poles{{0.15, 0.2, 0.0}, {0.95, 0.85, 0.0}, {0.65, 0.45, 0.0}, {0.0, 0.15, 0.0}}};
+    for (const Poles& poles : examples) {
+        BSplineData data;
+        data.degree = 3;
+        data.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+        data.poles = poles;
+        const auto curve = BSplineCurve::make(std::move(data));
+        ASSERT_TRUE(curve.hasValue());
+        for (int i = 0; i <= 1000; ++i) {
+            const Vec3 point = (*curve)->position(i / 1000.0);
+            EXPECT_LT((*curve)->project(point, {0.0, 1.0}, {}).distance, 1e-9) << i;
+        }
+    }
+}
 
 TEST(AnalyticCurves, LineAndConicsKeepTheContract)
 {

@@ -106,6 +106,20 @@ TEST(OcctModel, SeamIsUsedTwiceWithTwoParameterCurves)
     }
 }
 
+TEST(OcctModel, PolesThatRunAlongAnEdgeAreLeftOut)
+{
+    const BrepModel model = readModelFromShape(test::cylinderWithFalsePole()).value().model;
+    ASSERT_EQ(model.edges.size(), 4u);
+    ASSERT_EQ(model.notes.size(), 1u);
+    EXPECT_EQ(model.notes.front(),
+              "Edge4 is marked as a pole of Face1 and runs along another edge, left out");
+    for (const BrepFace& face : model.faces) {
+        for (const BrepLoop& loop : face.loops) {
+            for (const BrepCoedge& coedge : loop.coedges) EXPECT_FALSE(model.edges[coedge.edge].isDegenerate);
+        }
+    }
+}
+
 TEST(OcctModel, NullAndFacelessShapesAreRefused)
 {
     EXPECT_FALSE(readModelFromShape(TopoDS_Shape()));

@@ -16,18 +16,23 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <Precision.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
@@ -127,6 +132,36 @@ std::vector<std::pair<std::string, TopoDS_Shape>> kernelModels()
         {"extruded spline", BRepPrimAPI_MakePrism(wavyEdge(), gp_Vec(0.3, 2.0, 0.1)).Shape()},
         {"drilled plate", drilledPlate()},
         {"glued boxes", gluedBoxes()}};
+}
+
+TopoDS_Shape cylinderWithFalsePole()
+{
+    constexpr double kRadius = 1.0, kHeight = 2.0;
+    const TopoDS_Shape solid = BRepPrimAPI_MakeCylinder(kRadius, kHeight).Solid();
+    const BRep_Builder builder;
+    for (TopExp_Explorer part(solid, TopAbs_FACE); part.More(); part.Next()) {
+        const TopoDS_Face face = TopoDS::Face(part.Current());
+        if (BRep_Tool::Surface(face)->IsKind(STANDARD_TYPE(Geom_Plane))) continue;
+        for (TopExp_Explorer at(face, TopAbs_EDGE); at.More(); at.Next()) {
+            const TopoDS_Vertex vertex = TopExp::FirstVertex(TopoDS::Edge(at.Current()));
+            if (!TopExp::LastVertex(TopoDS::Edge(at.Current())).IsSame(vertex)) continue;
+            if (BRep_Tool::Pnt(vertex).Z() < 0.5 * kHeight) continue;
+            TopoDS_Edge pole;
+            builder.MakeEdge(pole);
+            builder.UpdateEdge(pole, new Geom2d_Line(gp_Pnt2d(0.0, kHeight), gp_Dir2d(1.0, 0.0)), face,
+                               Precision::Confusion());
+            builder.Range(pole, 0.0, 2.0 * std::numbers::pi);
+            builder.Degenerated(pole, true);
+            builder.Add(pole, vertex.Oriented(TopAbs_FORWARD));
+            builder.Add(pole, vertex.Oriented(TopAbs_REVERSED));
+            builder.UpdateVertex(vertex, 2.0 * kRadius);
+            TopoDS_Wire wire = TopoDS::Wire(TopExp_Explorer(face, TopAbs_WIRE).Current());
+            wire.Free(true);
+            builder.Add(wire, pole);
+            return solid;
+        }
+    }
+    return solid;
 }
 
 TopoDS_Wire polygon(const std::vector<gp_Pnt>& points, bool isClosed)

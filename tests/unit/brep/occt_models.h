@@ -18,6 +18,9 @@ namespace mesher::test {
 /// Two boxes that share a face.
 [[nodiscard]] TopoDS_Shape gluedBoxes();
 
+/// A cylinder whose wall has its upper circle twice: as an edge, and as what is marked as a pole.
+[[nodiscard]] TopoDS_Shape cylinderWithFalsePole();
+
 /// The closed polygon through the points, an open one if isClosed is false.
 [[nodiscard]] TopoDS_Wire polygon(const std::vector<gp_Pnt>& points, bool isClosed = true);
 /// A face of the plane z = 0 without any check of the wire.

@@ -1,5 +1,6 @@
 #include "surface_sampling/surface_refinement.h"
 
+#include "brep/analytic/bspline_surface.h"
 #include "brep/analytic/plane_surface.h"
 #include "brep/analytic/round_surfaces.h"
 #include "support/face_examples.h"
@@ -8,7 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <memory>
 #include <numbers>
+#include <utility>
 
 namespace mesher::test {
 namespace {
@@ -145,6 +150,58 @@ TEST(SurfaceRefinement, RefinesASplineToItsSag)
     expectSound(refined);
     EXPECT_GT(refined.counts.sizeInsertions, 10u);
     EXPECT_EQ(refined.check.eulerCharacteristic(), 1);
+}
+
+/// A ridge along y, three times as high as wide, whose sides are all but upright; the first facets bridge it.
+FaceExample bridgedRidge()
+{
+    BSplineSurfaceData data;
+    data.knotsU = {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6};
+    data.knotsV = {0, 0, 1, 1};
+    data.degreeV = 1;
+    const std::array<Vec2, 9> profile = {{{-2.0, 0.0},
+                                          {-1.0, 0.0},
+                                          {-0.35, 0.0},
+                                          {-0.35, 0.5},
+                                          {0.0, 2.0},
+                                          {0.35, 0.5},
+                                          {0.35, 0.0},
+                                          {1.0, 0.0},
+                                          {2.0, 0.0}}};
+    for (const Vec2& p : profile) {
+        for (const double y : {0.0, 3.0}) data.poles.push_back({p.x, y, p.y});
+    }
+    auto ridge = std::make_shared<BSplineSurface>(std::move(data), Interval{0.0, 6.0}, Interval{0.0, 1.0});
+    return gridFace(std::move(ridge), {0.0, 6.0}, {0.0, 1.0}, 3, 3);
+}
+
+TEST(SurfaceRefinement, GetsIntoAFoldThatFacetsBridge)
+{
+    const FaceExample example = bridgedRidge();
+    const FaceGeometry geometry(example.face);
+    Result<FaceMesh> mesh = example.mesh(geometry);
+    ASSERT_TRUE(mesh.hasValue());
+    RunContext context;
+    Budget budget({.maxVertices = 100'000, .maxTime = {}}, context);
+    const FrozenBoundary boundary;
+    FaceRefinementOptions options;
+    options.splits.floor = 1e-3;
+    options.criteria.leastCurvatureSize = 0.05;
+    FaceRefiner refiner(*mesh, geometry, boundary, options);
+    refiner.queueAll();
+    for (int sweep = 0; sweep < 3; ++sweep) {
+        EXPECT_EQ(refiner.refine(budget), StopReason::Done);
+        refiner.queueGivenUp();
+    }
+    EXPECT_EQ(checkFaceMesh(*mesh, geometry).report.problem, "");
+    // Beside the frozen ends facets still bridge the ridge.
+    double highest = 0.0;
+    for (std::uint32_t i = 0; i < mesh->vertexSlots(); ++i) {
+        const Vec3& place = mesh->position(VertexId(i));
+        if (place.y > 1.0 && place.y < 2.0) highest = std::max(highest, place.z);
+    }
+    EXPECT_GT(highest, 0.95 * geometry.at({3.0, 0.5}).position.z);
+    EXPECT_GT(refiner.counts().splits.steepStars, 0u);
 }
 
 TEST(SurfaceRefinement, EndsAtTheBudgetAndGoesOnFromThere)
