@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace mesher {
@@ -13,6 +14,12 @@ namespace {
 
 /// Tetrahedra that a cavity of replaced facets may grow by before it is given up.
 constexpr std::size_t kMostGrowth = 16;
+
+/// Conflicts that a cavity of replaced facets takes in. Of flat tetrahedra along a coarse or very thin surface thousands
+/// are in conflict with one point, nearly all of which the repair would take out again, a few at a time.
+constexpr std::size_t kMostConflicts = 128;
+
+constexpr std::size_t kAllConflicts = std::numeric_limits<std::size_t>::max();
 
 bool isSameFace(std::array<VertexId, 3> a, std::array<VertexId, 3> b)
 {
@@ -92,7 +99,7 @@ bool CavityOperator3d::isCrossingForbidden(TetFace face) const
 }
 
 template <bool kConstrained>
-void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d& filter)
+void CavityOperator3d::collectConflicts(const Vec3& point, std::size_t most, const StaticFilter3d& filter)
 {
     const TetRecord* const records = mesh_.tetData();
     TetState* const states = mesh_.stateData();
@@ -112,15 +119,18 @@ void CavityOperator3d::collectConflicts(const Vec3& point, const StaticFilter3d&
             }
             TetState& state = states[other.value];
             if ((state.flags & tet_flag::kInCavity) != 0) continue;
-            if (isInConflict(other, point, filter)) {
+            const bool isInside = isInConflict(other, point, filter);
+            if (isInside && tets.size() < most) {
                 state.flags |= tet_flag::kInCavity;
                 tets.push_back(other);
                 prefetchAround(other);
             } else {
+                if constexpr (kConstrained) cavity_.isCut |= isInside;
                 addFace(record, face, outer);
             }
         }
     }
+    work_ += tets.size();
 }
 
 void CavityOperator3d::begin(const Vec3& point, std::span<const TetId> seeds, const CavitySplit3d& split)
@@ -133,6 +143,7 @@ void CavityOperator3d::begin(const Vec3& point, std::span<const TetId> seeds, co
     cavity_.constrainedFaces.clear();
     cavity_.blocker = {};
     cavity_.repairs = 0;
+    cavity_.isCut = false;
     blockingFace_ = TetFace();
     split_ = split;
     collectSplitPerimeter(seeds);
@@ -155,7 +166,7 @@ const Cavity3d& CavityOperator3d::find(const Vec3& point, std::span<const TetId>
                                        const CavitySplit3d& split, const StaticFilter3d& filter)
 {
     begin(point, seeds, split);
-    collectConflicts<true>(point, filter);
+    collectConflicts<true>(point, kAllConflicts, filter);
     repair(seeds, filter);
     finish();
     return cavity_;
@@ -172,7 +183,7 @@ const Cavity3d& CavityOperator3d::findForFacets(const Vec3& point, const CavityS
     const std::size_t most = grownSeeds_.size() + kMostGrowth;
     for (;;) {
         begin(point, grownSeeds_, split);
-        collectConflicts<true>(point, filter);
+        collectConflicts<true>(point, kMostConflicts, filter);
         repair(grownSeeds_, filter);
         // A tetrahedron at a replaced facet need not be in conflict with a point off the plane: the cavity grows where
         // such a one does not see the point.
@@ -211,10 +222,11 @@ bool CavityOperator3d::seedFacets(const StaticFilter3d& filter)
     return !grownSeeds_.empty();
 }
 
-const Cavity3d& CavityOperator3d::findConflicts(const Vec3& point, TetId seed, const StaticFilter3d& filter)
+const Cavity3d& CavityOperator3d::findConflicts(const Vec3& point, TetId seed, std::size_t most,
+                                                const StaticFilter3d& filter)
 {
     begin(point, {&seed, 1}, {});
-    collectConflicts<true>(point, filter);
+    collectConflicts<true>(point, most, filter);
     for (const TetId tet : cavity_.tets) unmark(tet);
     return cavity_;
 }
@@ -416,7 +428,7 @@ TetId CavityOperator3d::insertUnconstrained(VertexId vertex, TetId seed, const S
     cavity_.faces.clear();
     cavity_.tets.push_back(seed);
     mark(seed);
-    collectConflicts<false>(mesh_.position(vertex), filter);
+    collectConflicts<false>(mesh_.position(vertex), kAllConflicts, filter);
     return retriangulate<false>(vertex);
 }
 

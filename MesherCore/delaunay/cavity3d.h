@@ -54,6 +54,8 @@ struct Cavity3d
     std::array<VertexId, 3> blocker;
     /// Tetrahedra that were taken out again to make it star-shaped (thesis §4.7.2).
     std::uint32_t repairs = 0;
+    /// The search has met the most tetrahedra it was to collect: others are in conflict as well.
+    bool isCut = false;
 };
 
 /// The constraint that an insertion is allowed to cut: because the point lies on it, or because facets of a curved surface
@@ -97,13 +99,16 @@ public:
                          const StaticFilter3d& filter);
 
     /// The cavity of a point that replaces facets. A facet stays as an ordinary face where the tetrahedron behind it, seen
-    /// from the point, is not in conflict.
+    /// from the point, is not in conflict. Where very many are, those next to the facets make the cavity, and the new
+    /// tetrahedra need flips to be Delaunay.
     const Cavity3d& findForFacets(const Vec3& point, const CavitySplit3d& split,
                                   const StaticFilter3d& filter);
 
     /// The first half of `find` without a split: the tetrahedra in conflict and `constrainedFaces`, not yet star-shaped.
-    /// Who wants the point must ask `makeStarShaped` with nothing changed in between.
-    const Cavity3d& findConflicts(const Vec3& point, TetId seed, const StaticFilter3d& filter);
+    /// Who wants the point must ask `makeStarShaped` with nothing changed in between. With more conflicts than `most` only
+    /// the nearest to the seed are there (`isCut`).
+    const Cavity3d& findConflicts(const Vec3& point, TetId seed, std::size_t most,
+                                  const StaticFilter3d& filter);
     const Cavity3d& makeStarShaped(const StaticFilter3d& filter);
 
     /// Replaces the cavity found last, whose status must be Ready, by the star of `vertex`, whose position is the
@@ -115,6 +120,8 @@ public:
     TetId insertUnconstrained(VertexId vertex, TetId seed, const StaticFilter3d& filter);
 
     [[nodiscard]] const Cavity3d& cavity() const { return cavity_; }
+    /// Tetrahedra that the searches and repairs of all cavities have looked at: what they cost, whatever the machine.
+    [[nodiscard]] std::uint64_t work() const { return work_; }
     /// The star that the last commit made.
     [[nodiscard]] std::span<const TetId> created() const { return created_; }
     /// The neighbours of the vertex of the last commit, the ghost included.
@@ -129,7 +136,7 @@ private:
     };
 
     template <bool kConstrained>
-    void collectConflicts(const Vec3& point, const StaticFilter3d& filter);
+    void collectConflicts(const Vec3& point, std::size_t most, const StaticFilter3d& filter);
     bool isInConflict(TetId tet, const Vec3& point, const StaticFilter3d& filter) const;
     bool isInSphere(const TetRecord& tet, const Vec3& point, const StaticFilter3d& filter) const;
     bool isGhostInConflict(const TetRecord& ghost, const Vec3& point, const StaticFilter3d& filter) const;
@@ -184,6 +191,7 @@ private:
     /// Perimeter edges of the split facets: with the new point they make the constrained faces that replace them.
     std::vector<std::array<VertexId, 2>> splitPerimeter_;
     bool splitsConstrainedEdge_ = false;
+    std::uint64_t work_ = 0;
 };
 
 /// Orders the vertices of a face that its tetrahedron sees on its positive side for a new tetrahedron that has the new

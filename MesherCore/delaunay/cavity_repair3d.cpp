@@ -32,6 +32,7 @@ void CavityOperator3d::refloodFromSeeds(std::span<const TetId> seeds)
             }
         }
     }
+    work_ += cavity_.tets.size();
     for (const TetId tet : previous_) {
         std::uint16_t& flags = mesh_.state(tet).flags;
         flags = static_cast<std::uint16_t>(flags & ~tet_flag::kAllowed);
@@ -81,10 +82,18 @@ bool CavityOperator3d::repairEnclosedFaces(std::span<const TetId> seeds, const S
 
 bool CavityOperator3d::isEdgeEnclosed(TetId tet, int edge) const
 {
-    std::vector<TetId> ring;
-    mesh_.collectEdgeRing(tet, mesh_.vertex(tet, kEdgeSlots[edge][0]), mesh_.vertex(tet, kEdgeSlots[edge][1]),
-                          ring);
-    return std::all_of(ring.begin(), ring.end(), [&](TetId t) { return isMarked(t); });
+    const int* slots = kEdgeSlots[edge];
+    const VertexId a = mesh_.vertex(tet, slots[0]);
+    const VertexId b = mesh_.vertex(tet, slots[1]);
+    int exit = 0;
+    while (exit == slots[0] || exit == slots[1]) ++exit;
+    for (TetId current = tet;;) {
+        const TetFace entry = mesh_.neighbour(current, exit);
+        current = entry.tet();
+        if (current == tet) return true;
+        if (!isMarked(current)) return false;
+        exit = 6 - mesh_.slotOf(current, a) - mesh_.slotOf(current, b) - entry.face();
+    }
 }
 
 TetId CavityOperator3d::tetBehindEdge(TetId tet, int edge, const StaticFilter3d& filter) const

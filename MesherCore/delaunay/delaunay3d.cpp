@@ -290,11 +290,11 @@ const Cavity3d& Delaunay3d::findCavity(Vec3 point, const CavitySplit3d& split)
     return cavities_.findForFacets(point, split, filter_);
 }
 
-const Cavity3d& Delaunay3d::findConflicts(Vec3 point, TetId seed)
+const Cavity3d& Delaunay3d::findConflicts(Vec3 point, TetId seed, std::size_t most)
 {
     point = withoutNegativeZero(point);
     expectPointsIn({point, point});
-    return cavities_.findConflicts(point, seed, filter_);
+    return cavities_.findConflicts(point, seed, most, filter_);
 }
 
 std::span<const TetId> Delaunay3d::created() const

@@ -10,6 +10,7 @@
 #include "delaunay/triangulation3d.h"
 #include "predicates/static_filter.h"
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <span>
@@ -138,7 +139,9 @@ public:
     /// The same for a point that replaces facets, see CavityOperator3d::findForFacets.
     const Cavity3d& findCavity(Vec3 point, const CavitySplit3d& split);
     /// In two halves from one tetrahedron in conflict, for callers that look at the constraints in between.
-    const Cavity3d& findConflicts(Vec3 point, TetId seed);
+    /// With more conflicts than `most` only the nearest to the seed are there (Cavity3d::isCut).
+    const Cavity3d& findConflicts(Vec3 point, TetId seed,
+                                  std::size_t most = std::numeric_limits<std::size_t>::max());
     const Cavity3d& makeStarShaped() { return cavities_.makeStarShaped(filter_); }
     /// The tetrahedra that the last commit or removal of this class made, ghosts included.
     [[nodiscard]] std::span<const TetId> created() const;
@@ -152,6 +155,8 @@ public:
     [[nodiscard]] Triangulation3d& triangulation() { return mesh_; }
     [[nodiscard]] const StaticFilter3d& filter() const { return filter_; }
     [[nodiscard]] const DelaunayCounters3d& counters() const { return counters_; }
+    /// Tetrahedra looked at to find and repair cavities, a measure of work that no clock has a part in.
+    [[nodiscard]] std::uint64_t cavityWork() const { return cavities_.work(); }
     /// Back to no points; keeps the memory for the next ones.
     void clear();
     /// Renumbers without gaps; ids that the caller holds are mapped by the result.

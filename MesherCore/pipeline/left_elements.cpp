@@ -24,6 +24,16 @@ std::string angleText(const LeftPlace3d& place)
     return nameOf(place.entity[1]) + " and " + nameOf(place.entity[2]) + at;
 }
 
+/// " beside Face5 and Edge2", as far as they are known.
+std::string besideText(const LeftPlace3d& place)
+{
+    std::string text;
+    for (const EntityRef entity : place.entity) {
+        if (entity.index != EntityRef::kNone) text += (text.empty() ? " beside " : " and ") + nameOf(entity);
+    }
+    return text;
+}
+
 std::string reasonOf(const LeftPlace3d& place)
 {
     switch (place.reason) {
@@ -35,6 +45,7 @@ std::string reasonOf(const LeftPlace3d& place)
         case LeftReason3d::Boundary:
             return nameOf(place.entity[0]) + " beside them cannot be split any further";
         case LeftReason3d::Resolution: return "no place for a better vertex was found";
+        case LeftReason3d::NoHeadway: return "refinement made no headway" + besideText(place);
         case LeftReason3d::Unfinished: return "the run was ended before";
     }
     return {};
@@ -48,6 +59,7 @@ std::string remedyOf(LeftReason3d reason)
         case LeftReason3d::ThinWall: return "raise --max-wall-elements, or mesh the wall as a shell";
         case LeftReason3d::LengthScale:
         case LeftReason3d::Boundary: return "choose a smaller --size there";
+        case LeftReason3d::NoHeadway:
         case LeftReason3d::Resolution: return "remove what is tiny in the model there";
         case LeftReason3d::Unfinished: return "raise the limit that ended the run";
     }
@@ -72,11 +84,25 @@ std::string warningOf(const ThinWall& wall, std::uint64_t most)
            ", and --max-wall-elements is " + std::to_string(most);
 }
 
+/// Why refinement ended before all was done, and the entities where it spent its work.
+std::string stallWarning(const RefinedVolume& refined)
+{
+    std::string places;
+    for (const WorkLedger3d::Entry& entry : refined.costliest) {
+        const bool isInside = entry.entity.index == EntityRef::kNone;
+        places += (places.empty() ? "" : ", ") + (isInside ? "inside" : nameOf(entry.entity)) + " (" +
+                  rounded(100.0 * entry.share) + " %)";
+    }
+    return "refinement was ended since it made no headway: what it tried in vain was beside " + places +
+           "; the mesh is valid, with elements left there that are larger or flatter than wanted";
+}
+
 }  // namespace
 
 void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
 {
     for (const LeftPlace3d& place : refined.places) report.left.push_back(elementsOf(place));
+    if (refined.hasStalled) report.warnings.push_back(stallWarning(refined));
     std::vector<ThinWall> kept = refined.walls;
     std::erase_if(kept, [](const ThinWall& wall) { return !wall.isKept; });
     std::stable_sort(kept.begin(), kept.end(),

@@ -136,12 +136,14 @@ void BoundaryQueue3d::serveSegment()
         const BoundarySplit3d split = splitter_.splitSegment(segment);
         if (split.outcome == SplitOutcome3d::Split) {
             ++state_.counts.segmentSplits;
+            state_.ledger.charge({1, whole.edge.value});
             finishSplit(split);
             return;
         }
     }
     refuse(refusedSegments_, segment.value);
     ++state_.counts.refusedSegments;
+    state_.ledger.charge(state_.entityOf(segment));
 }
 
 void BoundaryQueue3d::serveFacet()
@@ -156,7 +158,11 @@ void BoundaryQueue3d::serveFacet()
     };
     const bool isAllowed = ball && (state_.criteria.isTooLarge(corners) || maySplit()) &&
                            ball->squaredRadius > floor() * floor();
-    if (isAllowed && trySplit(facet)) return;
+    const EntityRef entity = state_.entityOf(facet);
+    const bool isServed = isAllowed && trySplit(facet);
+    // Splits are charged too: the vertices that they make stand against it, not those that come and go.
+    state_.ledger.charge(entity);
+    if (isServed) return;
     refuse(refusedFacets_, facet.value);
     ++state_.counts.refusedFacets;
 }

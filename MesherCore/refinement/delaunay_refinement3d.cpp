@@ -48,7 +48,10 @@ public:
         drain(Phase::Quality);
         makeDelaunay();
         DelaunayRefinement3d result;
-        result.left = collectLeftTets(state_, isStopped_);
+        result.hasStalled = hasStalled_;
+        constexpr std::size_t kMostEntities = 5;
+        if (hasStalled_) result.costliest = state_.ledger.costliest(kMostEntities);
+        result.left = collectLeftTets(state_, isStopped_ && !hasStalled_, result.costliest);
         state_.counts.delaunayFlips = state_.flips.counts().flips;
         state_.counts.delaunayCavities = state_.flips.counts().cavities;
         result.walls = state_.walls.walls();
@@ -79,6 +82,8 @@ private:
             if (!context_.reportProgress("refinement", progress_)) context_.requestCancel();
         }
         if (!budget_.allows({state_.mesh.vertexCount(), meshedTets()})) return false;
+        hasStalled_ = state_.ledger.isSpent();
+        if (hasStalled_) return false;
         if (context_.checkLevel() == CheckLevel::Full && std::has_single_bit(budget_.operations())) {
             MESHER_INVARIANT(checkRefinement(state_.t, state_.splitter.mesh()).isValid());
         }
@@ -99,6 +104,7 @@ private:
             }
         }
         badTets_.endSinks();
+        state_.ledger.settle();
     }
 
     /// The boundary before sizes, sizes before quality.
@@ -188,8 +194,11 @@ private:
             isStopped_ = true;
             return true;
         }
-        switch (insertion_.attempt(entry->id)) {
+        const Attempt attempt = insertion_.attempt(entry->id);
+        if (attempt != Attempt::Inserted) state_.ledger.charge(insertion_.inTheWay());
+        switch (attempt) {
             case Attempt::Inserted:
+                state_.ledger.settle();
                 ++(need == TetNeed::Size ? state_.counts.sizeInsertions : state_.counts.qualityInsertions);
                 break;
             case Attempt::Rejected: badTets_.pushAgain(*entry, need); break;
@@ -218,6 +227,7 @@ private:
     std::uint32_t exteriorTets_ = 0;  ///< at the start, ghosts included
     double progress_ = 0.0;
     bool isStopped_ = false;
+    bool hasStalled_ = false;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
 #include "refinement/thin_walls.h"
+#include "refinement/work_ledger3d.h"
 
 #include <cstdint>
 #include <optional>
@@ -54,6 +55,7 @@ enum class LeftReason3d : std::uint8_t
     LengthScale,      ///< further refinement would go too far below the length scale
     Boundary,         ///< an entity beside it may not or cannot be split any further
     Resolution,       ///< no cavity, or no place for a vertex in double arithmetic
+    NoHeadway,        ///< the run ended since too much was done in vain, mostly beside `entity` and `other`
     Unfinished        ///< the run was ended before
 };
 
@@ -75,6 +77,8 @@ struct DelaunayRefinementOptions3d
     double floor = 0.0;
     /// Tetrahedra that thin walls may take beyond the sizes wanted. Walls that take more are left with flat ones.
     double maxWallTets = 1e6;
+    /// The work after which a refinement that makes no headway ends.
+    WorkAllowance allowance;
 };
 
 struct DelaunayRefinement3d
@@ -84,13 +88,16 @@ struct DelaunayRefinement3d
     RefinementCounts3d counts;
     std::vector<LeftTet3d> left;
     std::vector<ThinWall> walls;
+    /// Whether the allowance of work has ended it, and where most of the work was done in vain then.
+    bool hasStalled = false;
+    std::vector<WorkLedger3d::Entry> costliest;
 };
 
 /// Refines a constrained Delaunay tetrahedralization until every tetrahedron of a region has the size and the quality that
 /// is wanted: segments before facets before tetrahedra, the worst first.
 /// Guarantees   constraints, maps and regions agree with the surface mesh at any time (refinement_check.h)
-/// Terminates   with a field that is bounded from below: no entity is split far below its length scale. The budget ends it
-///              in any case
+/// Terminates   with a field that is bounded from below: no entity is split far below its length scale. Where too much is
+///              tried in vain the allowance of work ends it, the same on every machine; the budget does in any case
 /// Reference    [gosselin] sections 4.3 and 4.7.2
 DelaunayRefinement3d refineDelaunay3d(ConstrainedTetrahedralization& tetrahedralization,
                                       SurfaceSplitter& splitter, const DelaunayRefinementOptions3d& options,

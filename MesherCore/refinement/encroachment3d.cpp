@@ -101,4 +101,20 @@ TetFace firstConstraintTowards(const Triangulation3d& mesh, TetId from, const Ve
     return {};
 }
 
+Encroached3d findInTheWay(Delaunay3d& delaunay, TetId tet, const Vec3& point)
+{
+    const Triangulation3d& mesh = delaunay.triangulation();
+    const Cavity3d* conflicts = &delaunay.findConflicts(point, tet, kOrdinaryConflicts);
+    if (conflicts->isCut) {
+        const TetFace blocking = firstConstraintTowards(mesh, tet, point, delaunay.filter());
+        if (blocking.isValid()) return {{}, blocking, true};
+        conflicts = &delaunay.findConflicts(point, tet);
+    }
+    Encroached3d found = findEncroached(mesh, *conflicts, delaunay.filter());
+    const bool isFree = !found.segment[0].isValid() && !found.facet.isValid();
+    if (isFree && found.hasFacetBehind)
+        found.facet = firstConstraintTowards(mesh, tet, point, delaunay.filter());
+    return found;
+}
+
 }  // namespace mesher

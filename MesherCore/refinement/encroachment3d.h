@@ -2,6 +2,7 @@
 
 #include "base/vec.h"
 #include "delaunay/cavity3d.h"
+#include "delaunay/delaunay3d.h"
 #include "delaunay/triangulation3d.h"
 #include "predicates/static_filter.h"
 
@@ -30,6 +31,9 @@ struct ProtectingBall
     }
 };
 
+/// Tetrahedra in conflict with one point beyond which the search for them is worth to be avoided. A few dozen are usual.
+inline constexpr std::size_t kOrdinaryConflicts = 256;
+
 /// What a point would encroach upon.
 struct Encroached3d
 {
@@ -46,6 +50,12 @@ struct Encroached3d
 /// Reference    [gosselin] section 4.3
 [[nodiscard]] Encroached3d findEncroached(const Triangulation3d& mesh, const Cavity3d& conflicts,
                                           const StaticFilter3d& filter);
+
+/// What keeps a point from being inserted beside a tetrahedron that it is in conflict with: what it encroaches upon, else
+/// the first facet in front of it. With none of them `makeStarShaped` may follow.
+/// Cost  the conflicts of the point, or those next to the tetrahedron and a walk: along thin places thousands of flat
+///       tetrahedra can be in conflict with a point far outside of the region
+[[nodiscard]] Encroached3d findInTheWay(Delaunay3d& delaunay, TetId tet, const Vec3& point);
 
 /// The first constrained face between a tetrahedron's centroid and a point, seen from the side of the tetrahedron; invalid
 /// if nothing is in the way.

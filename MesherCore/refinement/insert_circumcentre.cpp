@@ -15,6 +15,7 @@ Vec3 onGrid(const Vec3& p)
 /// The circumcentre of the tetrahedron; where that is lost in rounding, of its largest face, which is in conflict too.
 Attempt CircumcentreInsertion::attempt(TetId tet)
 {
+    inTheWay_ = {};
     const std::optional<Vec3> centre = state_.criteria.circumcentre(tet);
     const Attempt first = centre ? attemptAt(tet, onGrid(*centre)) : Attempt::Impossible;
     if (first != Attempt::Impossible || badTets_.isSinkPhase()) return first;
@@ -28,13 +29,8 @@ Attempt CircumcentreInsertion::attempt(TetId tet)
 Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
 {
     Delaunay3d& delaunay = *state_.t.delaunay;
-    const Cavity3d& conflicts = delaunay.findConflicts(point, tet);
-    const Encroached3d encroached = findEncroached(state_.mesh, conflicts, delaunay.filter());
+    const Encroached3d encroached = findInTheWay(delaunay, tet, point);
     if (encroached.segment[0].isValid() || encroached.facet.isValid()) return reject(tet, encroached);
-    if (encroached.hasFacetBehind) {
-        const TetFace blocking = firstConstraintTowards(state_.mesh, tet, point, delaunay.filter());
-        if (blocking.isValid()) return reject(tet, {{}, blocking, true});
-    }
     const RegionId region = state_.mesh.region(tet);
     const Cavity3d& cavity = delaunay.makeStarShaped();
     if (cavity.status != CavityStatus::Ready) {
@@ -59,8 +55,11 @@ Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
         point = start + 0.5 * crossingOf(blocking, start, centre) * (centre - start);
     }
     if (!isFinite(point)) return Attempt::Impossible;
+    // Its own corners are on the surface of every cavity.
+    if (!hasRoomAtCorners(tet, onGrid(point))) return Attempt::Impossible;
     const RegionId region = state_.mesh.region(tet);
-    state_.t.delaunay->findConflicts(onGrid(point), tet);
+    if (state_.t.delaunay->findConflicts(onGrid(point), tet, kOrdinaryConflicts).isCut)
+        return Attempt::Impossible;
     const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
     if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) return Attempt::Impossible;
     ++state_.counts.shortInsertions;
@@ -77,13 +76,28 @@ double CircumcentreInsertion::crossingOf(TetFace face, const Vec3& start, const 
     return dot(origin - start, normal) / dot(end - start, normal);
 }
 
-/// Whether all of the cavity's surface that counts keeps a part of the length scale away.
-bool CircumcentreInsertion::hasRoom(const Cavity3d& cavity, TetId tet) const
+/// The part of the length scale that an insertion short of the circumcentre has to keep away.
+double CircumcentreInsertion::roomOf(TetId tet) const
 {
     constexpr double kLeastShare = 0.4;
-    const Triangulation3d& mesh = state_.mesh;
     double room = 0.0;
-    for (const VertexId v : mesh.tet(tet).vertex) room += 0.25 * kLeastShare * state_.scale.guard(v);
+    for (const VertexId v : state_.mesh.tet(tet).vertex) room += 0.25 * kLeastShare * state_.scale.guard(v);
+    return room;
+}
+
+bool CircumcentreInsertion::hasRoomAtCorners(TetId tet, const Vec3& point) const
+{
+    const double room = roomOf(tet);
+    const auto& corners = state_.mesh.tet(tet).vertex;
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](VertexId v) { return length(state_.mesh.position(v) - point) >= room; });
+}
+
+/// Whether all of the cavity's surface that counts keeps that away.
+bool CircumcentreInsertion::hasRoom(const Cavity3d& cavity, TetId tet) const
+{
+    const Triangulation3d& mesh = state_.mesh;
+    const double room = roomOf(tet);
     for (const CavityFace3d& face : cavity.faces) {
         for (const VertexId v : face.vertex) {
             if (length(mesh.position(v) - cavity.point) < room) return false;
@@ -120,8 +134,13 @@ Attempt CircumcentreInsertion::reject(TetId tet, const Encroached3d& encroached)
 {
     if (badTets_.isSinkPhase()) return Attempt::Impossible;
     ++state_.counts.rejectedCentres;
+    if (encroached.facet.isValid()) {
+        const FacetId* facet = state_.facetAt(encroached.facet);
+        if (facet != nullptr) inTheWay_ = state_.entityOf(*facet);
+    }
     if (encroached.segment[0].isValid() && !wouldShrink(tet, encroached.segment)) {
         const SegmentId* segment = state_.segmentAt(encroached.segment[0], encroached.segment[1]);
+        if (segment != nullptr) inTheWay_ = state_.entityOf(*segment);
         if (segment != nullptr && boundary_.pushSegment(*segment)) return Attempt::Rejected;
     }
     const bool mayPush =

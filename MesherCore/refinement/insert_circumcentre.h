@@ -31,6 +31,8 @@ public:
     }
 
     Attempt attempt(TetId tet);
+    /// What of the model kept the last attempt from inserting anything; none if that was something inside.
+    [[nodiscard]] EntityRef inTheWay() const { return inTheWay_; }
 
 private:
     Attempt attemptAt(TetId tet, const Vec3& point);
@@ -38,6 +40,8 @@ private:
     Attempt reject(TetId tet, const Encroached3d& encroached);
     void insert(RegionId region, bool isRepaired);
     [[nodiscard]] double crossingOf(TetFace face, const Vec3& start, const Vec3& end) const;
+    [[nodiscard]] double roomOf(TetId tet) const;
+    [[nodiscard]] bool hasRoomAtCorners(TetId tet, const Vec3& point) const;
     [[nodiscard]] bool hasRoom(const Cavity3d& cavity, TetId tet) const;
     bool wouldShrink(TetId tet, std::span<const VertexId> entity);
     [[nodiscard]] double shortestSquaredEdge(TetId tet) const;
@@ -45,6 +49,7 @@ private:
     RefinementState3d& state_;
     BadTetQueue& badTets_;
     BoundaryQueue3d& boundary_;
+    EntityRef inTheWay_;
 };
 
 }  // namespace mesher

@@ -26,8 +26,7 @@ EntityRef boundaryInTheWay(RefinementState3d& state, TetId tet)
     const std::optional<Vec3> centre = state.criteria.circumcentre(tet);
     if (!centre) return {};
     Delaunay3d& delaunay = *state.t.delaunay;
-    const Cavity3d& conflicts = delaunay.findConflicts(onGrid(*centre), tet);
-    const Encroached3d encroached = findEncroached(state.mesh, conflicts, delaunay.filter());
+    const Encroached3d encroached = findInTheWay(delaunay, tet, onGrid(*centre));
     if (encroached.segment[0].isValid()) {
         const SegmentId* segment = state.segmentAt(encroached.segment[0], encroached.segment[1]);
         if (segment != nullptr) return {1, state.splitter.mesh().segments[*segment].edge.value};
@@ -39,7 +38,8 @@ EntityRef boundaryInTheWay(RefinementState3d& state, TetId tet)
     return facet == nullptr ? EntityRef{} : EntityRef{2, state.splitter.mesh().facets[*facet].face.value};
 }
 
-LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict, bool isStopped)
+LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict, bool isStopped,
+                  std::span<const WorkLedger3d::Entry> costliest)
 {
     LeftTet3d left;
     left.tet = tet;
@@ -55,6 +55,10 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
         left.reason = LeftReason3d::SmallInputAngle;
     } else if (verdict.need == TetNeed::Nothing) {
         left.reason = LeftReason3d::LengthScale;
+    } else if (!costliest.empty()) {
+        left.reason = LeftReason3d::NoHeadway;
+        left.entity = costliest[0].entity;
+        if (costliest.size() > 1) left.other = costliest[1].entity;
     } else {
         left.entity = boundaryInTheWay(state, tet);
         left.reason =
@@ -65,7 +69,8 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
 
 }  // namespace
 
-std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped)
+std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped,
+                                       std::span<const WorkLedger3d::Entry> costliest)
 {
     std::vector<LeftTet3d> left;
     state.guard.collectPlaces(state.splitter.mesh());
@@ -74,7 +79,7 @@ std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped)
         if (!state.isMeshed(tet)) continue;
         const TetVerdict verdict = state.judge(tet);
         if (verdict.need == TetNeed::Nothing && !state.criteria.isBad(tet)) continue;
-        left.push_back(explain(state, tet, verdict, isStopped));
+        left.push_back(explain(state, tet, verdict, isStopped, costliest));
     }
     return left;
 }

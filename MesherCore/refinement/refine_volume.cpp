@@ -42,10 +42,11 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     const Result<void> valid = validate(options);
     if (!valid) return valid.error();
     Budget budget(options.limits, context);
-    DelaunayRefinement3d refinement = refineDelaunay3d(
-        tetrahedralization, splitter,
-        {options.sizing, options.quality, options.boundary, options.floor, options.maxWallTets}, budget,
-        context);
+    DelaunayRefinement3d refinement =
+        refineDelaunay3d(tetrahedralization, splitter,
+                         {options.sizing, options.quality, options.boundary, options.floor,
+                          options.maxWallTets, options.allowance},
+                         budget, context);
     if (context.checkLevel() == CheckLevel::Full) {
         MESHER_INVARIANT(checkRefinement(tetrahedralization, splitter.mesh()).isValid());
     }
@@ -54,6 +55,8 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     result.counts = refinement.counts;
     result.left = std::move(refinement.left);
     result.walls = std::move(refinement.walls);
+    result.hasStalled = refinement.hasStalled;
+    result.costliest = std::move(refinement.costliest);
     result.places = groupLeftTets(tetrahedralization, result.left);
     const Triangulation3d& mesh = tetrahedralization.mesh();
     result.vertices = mesh.vertexCount();

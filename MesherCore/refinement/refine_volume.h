@@ -19,6 +19,8 @@ struct RefineVolumeOptions
     double floor = 0.0;
     /// Tetrahedra that thin walls may take beyond the sizes wanted; see ThinWalls.
     double maxWallTets = 1e6;
+    /// The work after which a refinement that makes no headway ends, with the mesh that it has.
+    WorkAllowance allowance;
     BudgetLimits limits;
 };
 
@@ -34,6 +36,9 @@ struct RefinedVolume
     /// The same in groups, for people.
     std::vector<LeftPlace3d> places;
     std::vector<ThinWall> walls;
+    /// Whether it was ended since it made no headway any more, and where most of the work was done in vain then.
+    bool hasStalled = false;
+    std::vector<WorkLedger3d::Entry> costliest;
 };
 
 /// Refines the inside of a model to the sizes and the quality that are wanted, splitting its surface mesh along.

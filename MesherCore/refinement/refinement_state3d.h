@@ -9,6 +9,7 @@
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
 #include "refinement/thin_walls.h"
+#include "refinement/work_ledger3d.h"
 
 namespace mesher {
 
@@ -25,6 +26,7 @@ struct RefinementState3d
           criteria(mesh, scale, options.quality),
           guard(t, splitter.mesh()),
           walls(t),
+          ledger(t, options.allowance),
           flips(*t.delaunay, DelaunayPart::Inside),
           flipBudget({}, context)
     {
@@ -44,6 +46,14 @@ struct RefinementState3d
     [[nodiscard]] TetVerdict judge(TetId tet) const
     {
         return walls.isInKept(tet) ? TetVerdict{} : criteria.judge(tet);
+    }
+    [[nodiscard]] EntityRef entityOf(FacetId facet) const
+    {
+        return {2, splitter.mesh().facets[facet].face.value};
+    }
+    [[nodiscard]] EntityRef entityOf(SegmentId segment) const
+    {
+        return {1, splitter.mesh().segments[segment].edge.value};
     }
     /// The facet of a constrained face, or none.
     [[nodiscard]] const FacetId* facetAt(TetFace face) const;
@@ -66,6 +76,7 @@ struct RefinementState3d
     RefinementCriteria3d criteria;
     SmallAngleGuard guard;
     ThinWalls walls;
+    WorkLedger3d ledger;
     ConstrainedFlips3d flips;
     Budget flipBudget;  ///< flips end by themselves: it only lets them be cancelled
     RefinementCounts3d counts;

@@ -460,6 +460,31 @@ TEST(Delaunay3d, CompactsBelowDimensionThree)
     EXPECT_EQ(meshHash3d(delaunay.triangulation()), hashOf(rest));
 }
 
+TEST(Delaunay3d, CutsASearchForConflictsAtTheMostThatIsWanted)
+{
+    // On a sphere nearly all tetrahedra are in conflict with its centre.
+    Delaunay3d delaunay;
+    Random random(5);
+    while (delaunay.triangulation().vertexCount() < 200) {
+        const Vec3 p{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+        if (length(p) < 0.1) continue;
+        ASSERT_TRUE(delaunay.insert((1.0 / length(p)) * p).hasValue());
+    }
+    const Vec3 centre{0.001, 0.002, 0.003};
+    const TetId at = delaunay.locate(centre)->tet;
+    const std::size_t all = delaunay.findConflicts(centre, at).tets.size();
+    EXPECT_FALSE(delaunay.findConflicts(centre, at).isCut);
+    ASSERT_GT(all, 100u);
+    const std::uint64_t work = delaunay.cavityWork();
+    const Cavity3d& cut = delaunay.findConflicts(centre, at, 40);
+    EXPECT_TRUE(cut.isCut);
+    EXPECT_EQ(cut.tets.size(), 40u);
+    EXPECT_EQ(delaunay.cavityWork(), work + 40);
+    EXPECT_FALSE(delaunay.findConflicts(centre, at, all).isCut);
+    EXPECT_TRUE(isSoundTopology(delaunay.triangulation()));
+    EXPECT_EQ(delaunay.insert(centre)->status, InsertionStatus::Inserted);
+}
+
 TEST(Delaunay3d, CountsRepairs)
 {
     Delaunay3d delaunay;

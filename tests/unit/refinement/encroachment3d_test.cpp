@@ -2,6 +2,8 @@
 
 #include "unit/refinement/refinement_fixture.h"
 
+#include <algorithm>
+
 namespace mesher::test {
 namespace {
 
@@ -90,6 +92,31 @@ TEST(FirstConstraintTowards, FindsTheFaceThatTheLineLeavesBy)
         EXPECT_FALSE(firstConstraintTowards(mesh, tet, centroid, delaunay.filter()).isValid());
     }
     EXPECT_GT(blocked, 100);
+}
+
+TEST(FindInTheWay, FindsTheFacetBeforeAPointOutsideWithoutCollectingAllThatIsInConflict)
+{
+    SampledSolid ball = sampledSphere(1.0, 2000);
+    const ConstrainedTetrahedralization& t = ball.tetrahedralization;
+    Delaunay3d& delaunay = *t.delaunay;
+    const SurfaceMesh& surface = ball.splitter->mesh();
+    const SurfaceFacet& facet = surface.facets[FacetId(0)];
+    Vec3 middle;
+    for (const NodeId node : facet.node) middle = middle + (1.0 / 3.0) * surface.nodes[node].position;
+    // Behind the facet, and still in the sphere of the ball, which all tetrahedra have for theirs.
+    const Vec3 outside = (t.scale * 0.5 * (1.0 + 1.0 / length(middle))) * middle;
+    const TetId seed = delaunay.locate(t.scale * Vec3{0.01, 0.02, 0.03})->tet;
+    ASSERT_GT(delaunay.findConflicts(outside, seed).tets.size(), kOrdinaryConflicts);
+
+    const std::uint64_t work = delaunay.cavityWork();
+    const Encroached3d found = findInTheWay(delaunay, seed, outside);
+    EXPECT_EQ(delaunay.cavityWork() - work, kOrdinaryConflicts);
+    ASSERT_TRUE(found.facet.isValid());
+    EXPECT_TRUE(t.mesh().isFaceConstrained(found.facet));
+    for (const NodeId node : facet.node) {
+        const auto corners = t.mesh().faceVertices(found.facet);
+        EXPECT_EQ(std::count(corners.begin(), corners.end(), t.vertexOf[node]), 1);
+    }
 }
 
 }  // namespace

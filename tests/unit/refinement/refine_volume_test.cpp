@@ -219,6 +219,39 @@ TEST(RefineVolumeLimits, EndsAtEachLimitWithASoundMesh)
     EXPECT_EQ(stopFor(elements), StopReason::ElementLimit);
 }
 
+TEST(RefineVolumeLimits, EndsWithoutHeadwayAtTheSameMeshAndNamesWhereTheWorkWent)
+{
+    const auto run = [](const WorkAllowance& allowance, std::uint64_t& hash) {
+        SampledSolid solid = sampledWedge(2.0, 0.4, 2.0, 4);
+        RefineVolumeOptions options;
+        options.allowance = allowance;
+        RefinedVolume result = refine(solid, options);
+        EXPECT_TRUE(isSound(solid));
+        hash = meshHash3d(solid.tetrahedralization.mesh());
+        return result;
+    };
+    std::uint64_t hash = 0;
+    const RefinedVolume whole = run({}, hash);
+    EXPECT_FALSE(whole.hasStalled);
+    EXPECT_TRUE(whole.costliest.empty());
+
+    const RefinedVolume ended = run({500.0, 0.0, 5.0}, hash);
+    EXPECT_TRUE(ended.hasStalled);
+    EXPECT_EQ(ended.stopReason, StopReason::CannotImprove);
+    EXPECT_LT(ended.vertices, whole.vertices);
+    ASSERT_FALSE(ended.costliest.empty());
+    EXPECT_LE(ended.costliest.front().entity.dimension, 2) << "an edge or a face of the wedge";
+    EXPECT_NE(ended.costliest.front().entity.index, EntityRef::kNone);
+    double shares = 0.0;
+    for (const WorkLedger3d::Entry& entry : ended.costliest) shares += entry.share;
+    EXPECT_GT(shares, 0.3);
+    EXPECT_LE(shares, 1.0 + 1e-12);
+    for (const LeftTet3d& left : ended.left) EXPECT_NE(left.reason, LeftReason3d::Unfinished);
+    std::uint64_t again = 0;
+    run({500.0, 0.0, 5.0}, again);
+    EXPECT_EQ(again, hash);
+}
+
 TEST(RefineVolumeLimits, TellsProgressAndCanBeCancelled)
 {
     SampledSolid solid = sampledTorus(2.0, 1.0, 20);
