@@ -58,6 +58,7 @@ MeshPanel::MeshPanel(QWidget* parent)
       curvature_(named(new QSpinBox(this), "curvature")),
       sag_(lengthBox("sag", tr("off"), tr("Largest distance of an edge from its curve or face"), this)),
       improve_(named(new QCheckBox(tr("Improve afterwards"), this), "improve")),
+      overlap_(named(new QCheckBox(tr("Allow solids to overlap"), this), "allowOverlap")),
       localSizes_(new LocalSizeTable(this)),
       estimate_(wrappedLabel("estimate", this)),
       mesh_(named(new QPushButton(tr("Mesh"), this), "meshButton")),
@@ -75,6 +76,7 @@ MeshPanel::MeshPanel(QWidget* parent)
     all->addWidget(runGroup());
     all->addWidget(result_);
     connectAll();
+    setFraction(0.0);
     setRunning(false);
     setSummary({});
 }
@@ -94,6 +96,8 @@ QGroupBox* MeshPanel::sizeGroup()
     form->addRow(tr("Chord deviation"), sag_);
     form->addRow(localSizes_);
     form->addRow(improve_);
+    overlap_->setToolTip(tr("Mesh solids that overlap each for itself instead of refusing them"));
+    form->addRow(overlap_);
     return group;
 }
 
@@ -145,6 +149,8 @@ double MeshPanel::sag() const { return sag_->value(); }
 void MeshPanel::setSag(double value) { sag_->setValue(value); }
 bool MeshPanel::isImproved() const { return improve_->isChecked(); }
 void MeshPanel::setImproved(bool value) { improve_->setChecked(value); }
+bool MeshPanel::allowsOverlap() const { return overlap_->isChecked(); }
+void MeshPanel::setAllowsOverlap(bool value) { overlap_->setChecked(value); }
 QVariantMap MeshPanel::localSizes() const { return localSizes_->sizes(); }
 void MeshPanel::setLocalSizes(const QVariantMap& sizes) { localSizes_->setSizes(sizes); }
 QString MeshPanel::estimate() const { return estimate_->text(); }
@@ -181,6 +187,14 @@ double MeshPanel::fraction() const
 void MeshPanel::setFraction(double value)
 {
     progress_->setValue(static_cast<int>(std::lround(value * kProgressSteps)));
+    showWhetherBusy();
+}
+
+/// Without a run there is no share of it to tell: an empty bar then has no "0 %" that looks like one that is stuck.
+void MeshPanel::showWhetherBusy()
+{
+    progress_->setEnabled(isRunning_);
+    progress_->setTextVisible(isRunning_ || progress_->value() > 0);
 }
 
 void MeshPanel::setRunning(bool running)
@@ -189,7 +203,8 @@ void MeshPanel::setRunning(bool running)
     mesh_->setEnabled(!running);
     cancel_->setEnabled(running);
     sizes_->setEnabled(!running);
-    setFraction(0.0);
+    if (running) setFraction(0.0);
+    showWhetherBusy();
 }
 
 }  // namespace mesher::gui

@@ -27,12 +27,14 @@ class MeshPanel : public QWidget
     Q_PROPERTY(int curvature READ curvature WRITE setCurvature)  ///< elements in a full turn, 0 for none
     Q_PROPERTY(double sag READ sag WRITE setSag)
     Q_PROPERTY(bool improve READ isImproved WRITE setImproved)
+    Q_PROPERTY(bool allowOverlap READ allowsOverlap WRITE setAllowsOverlap)
     Q_PROPERTY(QVariantMap localSizes READ localSizes WRITE setLocalSizes)  ///< name to millimetres
     Q_PROPERTY(QString estimate READ estimate WRITE setEstimate)
     Q_PROPERTY(bool running READ isRunning WRITE setRunning)
     Q_PROPERTY(QString stage READ stage WRITE setStage)
-    Q_PROPERTY(double fraction READ fraction WRITE setFraction)  ///< of the stage, 0 to 1
-    Q_PROPERTY(QString summary READ summary WRITE setSummary)    ///< rich text; empty hides the result
+    Q_PROPERTY(
+        double fraction READ fraction WRITE setFraction)  ///< of the stage, 0 to 1; stays when the run ends
+    Q_PROPERTY(QString summary READ summary WRITE setSummary)  ///< rich text; empty hides the result
     Q_PROPERTY(QVariantList histogram READ histogram WRITE setHistogram)
 
 public:
@@ -48,6 +50,8 @@ public:
     void setSag(double value);
     [[nodiscard]] bool isImproved() const;
     void setImproved(bool value);
+    [[nodiscard]] bool allowsOverlap() const;
+    void setAllowsOverlap(bool value);
     [[nodiscard]] QVariantMap localSizes() const;
     void setLocalSizes(const QVariantMap& sizes);
     [[nodiscard]] QString estimate() const;
@@ -74,12 +78,14 @@ private:
     [[nodiscard]] QGroupBox* runGroup();
     [[nodiscard]] QGroupBox* makeResultGroup();
     void connectAll();
+    void showWhetherBusy();
 
     LengthBox* size_;
     LengthBox* minSize_;
     QSpinBox* curvature_;
     LengthBox* sag_;
     QCheckBox* improve_;
+    QCheckBox* overlap_;
     LocalSizeTable* localSizes_;
     QLabel* estimate_;
     QPushButton* mesh_;

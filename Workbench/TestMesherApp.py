@@ -1,4 +1,6 @@
 """Tests without a window: freecadcmd -t TestMesherApp."""
+import inspect
+import json
 import os
 import tempfile
 import unittest
@@ -8,6 +10,7 @@ import Part
 
 import mesher
 from MesherWorkbench import make_mesh
+from MesherWorkbench.factory import _OPTIONS
 from MesherWorkbench.tools.inspection import MeshArrays, boundary_of, mesh_feature_of
 from MesherWorkbench.tools.mesh_tool import MeshTool
 
@@ -206,9 +209,75 @@ class Refusals(_DocumentTest):
             MeshTool(mesh)
         self.assertIn("no part", str(refused.exception))
 
+    def test_elements_of_second_order_are_refused_with_a_remedy(self):
+        from MesherWorkbench.messages import in_words_of_panel
+
+        box = self._feature(Part.makeBox(1, 1, 1))
+        with self.assertRaises(mesher.OptionError) as refused:
+            make_mesh(box, order=2)
+        self.assertEqual(refused.exception.failures[0]["entity"], "order=2")
+        self.assertEqual(refused.exception.failures[0]["remedy"], "choose order=1")
+        self.assertRegex(in_words_of_panel(refused.exception),
+                         "^ElementOrder 2nd: elements of second order are not there yet .*; choose 1st as the object's ElementOrder.$")
+
     def test_unknown_option(self):
         with self.assertRaises(TypeError):
             make_mesh(self._feature(Part.makePlane(1, 1)), sizes=3.0)
+
+
+class Options(_DocumentTest):
+    """Every option of mesher.mesh is a property of the object, and reaches the mesher from there."""
+
+    def test_each_reaches_the_report(self):
+        box = self._feature(Part.makeBox(4, 4, 4))
+        wishes = {"size": 2.0, "min_size": 0.25, "curvature": 12, "sag": 0.5, "refinement": 1.5, "grading": 2.0, "improve": False,
+                  "threads": 2, "min_angle": 25.0, "max_turn": 60.0, "measure": "q3", "threshold": 0.25, "allow_overlap": True,
+                  "max_elements": 90_000, "max_wall_elements": 5000, "timeout": 100.0, "check": True, "heal": True,
+                  "size_formula": "3 + x", "local_sizes": {"Face6": 1.5, "Solid1": 1.75},
+                  "size_distance": {"Edge1": (1.0, 0.5), "Face1": (1.25, 0.5, 0.125)},
+                  "size_box": [((0, 0, 0), (1, 2, 3), 1.5), ((0, 0, 0), (1, 1, 1), 1.5, 0.5)],
+                  "size_ball": [((1, 2, 3), 0.5, 1.5), ((1, 2, 3), 0.5, 1.5, 0.25)]}
+        mesh = make_mesh(box, dimension=3, order=1, **wishes)
+        shape = Part.makeBox(4, 4, 4)
+        direct = mesher.mesh(shape, dimension=3, order=1, **wishes)
+        by_object = json.loads(mesh.Report)
+        self.assertEqual(by_object["options"], direct.report["options"])
+        for option, value in wishes.items():
+            if isinstance(value, (int, float)) and option in by_object["options"]:
+                self.assertEqual(by_object["options"][option], value, option)
+
+    def test_none_is_missing(self):
+        arguments = set(inspect.signature(mesher.mesh).parameters) - {"source", "progress", "faces"}
+        self.assertEqual(arguments, _OPTIONS)
+
+    def test_sizes_in_files(self):
+        box = self._feature(Part.makeBox(4, 4, 4))
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "points.txt")
+            with open(path, "w") as file:
+                file.write("2 2 2 0.25\n")
+            fine = make_mesh(box, size=2.0, size_points=path)
+            self.assertGreater(fine.ElementCount, 2 * make_mesh(box, size=2.0).ElementCount)
+        with self.assertRaisesRegex(TypeError, "size_points"):
+            make_mesh(box, size_points=[[2, 2, 2, 0.25]])
+
+    def test_words_that_cannot_be_read_are_told(self):
+        mesh = make_mesh(self._feature(Part.makeBox(4, 4, 4)), size=2.0)
+        for name, words, option in (("SizeBalls", "1,2,3=0.5", "size_ball"), ("SizeBoxes", "0,0,0,1,1=2", "size_box"),
+                                    ("SizeDistances", "Face1", "size_distance"), ("SizeDistances", "Face1=1", "size_distance")):
+            setattr(mesh, name, [words])
+            with self.assertRaises(mesher.OptionError) as refused:
+                MeshTool(mesh)
+            self.assertEqual(refused.exception.failures[0]["entity"], option)
+            setattr(mesh, name, [])
+
+    def test_solids_that_overlap(self):
+        boxes = self._feature(Part.makeCompound([Part.makeBox(2, 2, 2), Part.makeBox(2, 2, 2, FreeCAD.Vector(1, 1, 1))]))
+        with self.assertRaises(mesher.MeshingError):
+            make_mesh(boxes, size=1.0)
+        mesh = make_mesh(boxes, size=1.0, allow_overlap=True)
+        self.assertTrue(mesh.AllowOverlap)
+        self.assertEqual({name for name in _groups_of(mesh.FemMesh) if name.startswith("Solid")}, {"Solid1", "Solid2"})
 
 
 class Solids(_DocumentTest):

@@ -28,14 +28,14 @@ po::options_description meshingOptions()
     add("curvature", po::value<std::string>(), "elements in a full turn of a curve (default 0: off)");
     add("sag", po::value<std::string>(), "largest distance of an edge from its curve (default 0: off)");
     add("refinement", po::value<std::string>(),
-        "R: boundary size is local feature size / R, 1 or more (default 1)");
+        "R: boundary size is local feature size / R, 1 or more (default 1 on plane faces, off in space)");
     add("grading", po::value<std::string>(), "G: sizes grow by at most distance / G (default 1)");
     add("local-size", po::value<Texts>()->composing(),
-        "ENTITY=SIZE: size on a face, edge or vertex, e.g. Face6=0.5; beyond it sizes grow by distance / G");
+        "ENTITY=SIZE: size in a solid or on a face, edge or vertex, e.g. Face6=0.5; beyond it sizes grow by "
+        "distance / G");
     add("size-distance", po::value<Texts>()->composing(),
-        "ENTITY=SIZE,GROWTH[,PLATEAU]: size up to the distance PLATEAU (default 0) from a face, edge or "
-        "vertex, "
-        "growing by GROWTH per unit of distance from there on");
+        "ENTITY=SIZE,GROWTH[,PLATEAU]: size up to the distance PLATEAU (default 0) from a solid, face, edge "
+        "or vertex, growing by GROWTH per unit of distance from there on");
     add("size-box", po::value<Texts>()->composing(),
         "X0,Y0,Z0,X1,Y1,Z1=SIZE[,GROWTH]: size in the box between two corners, growing outside of it "
         "(default "

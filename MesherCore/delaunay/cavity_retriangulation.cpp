@@ -36,19 +36,6 @@ bool CavityShell::add(const Face& face)
 
 void CavityShell::remove(const Corners& corner) { faces_.erase(sorted(corner)); }
 
-void CavityRetriangulation::triangulate()
-{
-    if (!local_) {
-        local_ = std::make_unique<Delaunay3d>();
-    } else {
-        local_->clear();
-    }
-    Box3 box;
-    for (const VertexId corner : corners_) box.include(mesh_.position(corner));
-    local_->expectPointsIn(box);
-    for (const VertexId corner : corners_) local_->insertTrusted(mesh_.position(corner));
-}
-
 bool CavityRetriangulation::fillDelaunay(const CavityShell& shell, std::span<const VertexId> insideVertices,
                                          std::vector<TetCorners>& filling)
 {
@@ -57,8 +44,8 @@ bool CavityRetriangulation::fillDelaunay(const CavityShell& shell, std::span<con
     for (const auto& [key, face] : shell.faces()) corners_.insert(corners_.end(), key.begin(), key.end());
     std::sort(corners_.begin(), corners_.end());
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-    triangulate();
-    if (local_->dimension() < 3) return false;
+    local_.triangulate(mesh_, corners_);
+    if (!local_.isInSpace()) return false;
     const std::size_t start = filling.size();
     if (!flood(shell, filling)) return false;
     for (const VertexId inside : insideVertices) {
@@ -72,45 +59,26 @@ bool CavityRetriangulation::fillDelaunay(const CavityShell& shell, std::span<con
 
 bool CavityRetriangulation::flood(const CavityShell& shell, std::vector<TetCorners>& filling)
 {
-    const Triangulation3d& local = local_->triangulation();
-    isInside_.assign(local.tetLimit(), 0);
-    isBounded_.assign(std::size_t{local.tetLimit()} * 4, 0);
-    queue_.clear();
-    const auto original = [&](VertexId v) { return isGhost(v) ? v : corners_[v.value]; };
+    const Triangulation3d& tets = local_.tets();
     std::map<CavityShell::Corners, bool> isFound;
     for (const auto& [key, face] : shell.faces()) isFound.emplace(key, false);
-    for (std::uint32_t i = 0; i < local.tetLimit(); ++i) {
-        if (!local.isAlive(TetId(i))) continue;
+    for (std::uint32_t i = 0; i < tets.tetLimit(); ++i) {
+        if (!tets.isAlive(TetId(i))) continue;
         for (int face = 0; face < 4; ++face) {
-            const auto [a, b, c] = local.faceVertices({TetId(i), face});
+            const auto [a, b, c] = tets.faceVertices({TetId(i), face});
             if (isGhost(a) || isGhost(b) || isGhost(c)) continue;
-            const CavityShell::Corners corner{original(a), original(b), original(c)};
+            const CavityShell::Corners corner{local_.original(a), local_.original(b), local_.original(c)};
             const auto found = shell.faces().find(sorted(corner));
             if (found == shell.faces().end()) continue;
-            isBounded_[i * 4 + static_cast<std::uint32_t>(face)] = 1;
-            if (!isEvenPermutation(found->second.corner, corner)) continue;
-            isFound[found->first] = true;
-            if (isInside_[i] == 0) queue_.push_back(TetId(i));
-            isInside_[i] = 1;
+            const bool isInside = isEvenPermutation(found->second.corner, corner);
+            local_.bound({TetId(i), face}, isInside);
+            if (isInside) isFound[found->first] = true;
         }
     }
     for (const auto& [key, found] : isFound) {
         if (!found) missing_.push_back(key);
     }
-    if (!missing_.empty()) return false;
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-        const TetRecord& record = local.tet(queue_[next]);
-        if (isGhost(record.vertex[3])) return false;
-        filling.push_back({original(record.vertex[0]), original(record.vertex[1]), original(record.vertex[2]),
-                           original(record.vertex[3])});
-        for (unsigned face = 0; face < 4; ++face) {
-            const TetId other = record.neighbour[face].tet();
-            if (isBounded_[queue_[next].value * 4 + face] != 0 || isInside_[other.value] != 0) continue;
-            isInside_[other.value] = 1;
-            queue_.push_back(other);
-        }
-    }
-    return true;
+    return missing_.empty() && local_.flood(false, filling);
 }
 
 bool CavityRetriangulation::findKernelPoint(const CavityShell& shell, Vec3& point) const

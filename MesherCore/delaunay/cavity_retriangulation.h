@@ -1,11 +1,10 @@
 #pragma once
 
-#include "delaunay/delaunay3d.h"
+#include "delaunay/local_delaunay3d.h"
 #include "delaunay/tet_replacement3d.h"
 
 #include <array>
 #include <map>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -52,16 +51,12 @@ public:
     bool findKernelPoint(const CavityShell& shell, Vec3& point) const;
 
 private:
-    void triangulate();
     bool flood(const CavityShell& shell, std::vector<TetCorners>& filling);
 
     const Triangulation3d& mesh_;
-    std::unique_ptr<Delaunay3d> local_;
+    LocalDelaunay3d local_;
     std::vector<VertexId> corners_;
     std::vector<CavityShell::Corners> missing_;
-    std::vector<char> isInside_;
-    std::vector<char> isBounded_;
-    std::vector<TetId> queue_;
 };
 
 }  // namespace mesher

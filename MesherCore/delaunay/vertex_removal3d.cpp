@@ -1,7 +1,5 @@
 #include "delaunay/vertex_removal3d.h"
 
-#include "delaunay/delaunay3d.h"
-
 #include <algorithm>
 
 namespace mesher {
@@ -23,8 +21,6 @@ bool hasGhost(const std::array<VertexId, 3>& face) { return isGhost(face[1]) || 
 
 VertexRemoval3d::VertexRemoval3d(Triangulation3d& mesh) : mesh_(mesh), replacement_(mesh) {}
 
-VertexRemoval3d::~VertexRemoval3d() = default;
-
 VertexHole3d VertexRemoval3d::find(VertexId vertex)
 {
     vertex_ = vertex;
@@ -32,8 +28,8 @@ VertexHole3d VertexRemoval3d::find(VertexId vertex)
     if (isOnConstraint()) return VertexHole3d::OnConstraint;
     collectHole();
     filling_.clear();
-    triangulateCorners();
-    if (local_->dimension() < 3) {
+    local_.triangulate(mesh_, corners_);
+    if (!local_.isInSpace()) {
         const bool hasOthers = std::any_of(holeFaces_.begin(), holeFaces_.end(), [&](const HoleFace& face) {
             return !hasGhost(face.corner) && !mesh_.isGhostTet(face.outer.tet());
         });
@@ -83,19 +79,6 @@ void VertexRemoval3d::collectHole()
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
 }
 
-void VertexRemoval3d::triangulateCorners()
-{
-    if (!local_) {
-        local_ = std::make_unique<Delaunay3d>();
-    } else {
-        local_->clear();
-    }
-    Box3 box;
-    for (const VertexId corner : corners_) box.include(mesh_.position(corner));
-    local_->expectPointsIn(box);
-    for (const VertexId corner : corners_) local_->insertTrusted(mesh_.position(corner));
-}
-
 /// The hole of a vertex whose neighbours are coplanar has no volume: the faces below become hull facets.
 void VertexRemoval3d::fillFlatHole()
 {
@@ -105,47 +88,29 @@ void VertexRemoval3d::fillFlatHole()
     }
 }
 
-std::uint32_t VertexRemoval3d::findHoleFace(const std::array<VertexId, 3>& corner) const
+bool VertexRemoval3d::isHoleFace(const std::array<VertexId, 3>& corner) const
 {
     const auto found = std::lower_bound(
         holeFaces_.begin(), holeFaces_.end(), corner,
         [](const HoleFace& face, const std::array<VertexId, 3>& key) { return face.corner < key; });
-    if (found == holeFaces_.end() || found->corner != corner) return kNone;
-    return static_cast<std::uint32_t>(found - holeFaces_.begin());
+    return found != holeFaces_.end() && found->corner == corner;
 }
 
 bool VertexRemoval3d::fillFromDelaunay()
 {
-    const Triangulation3d& local = local_->triangulation();
-    const auto original = [&](VertexId v) { return isGhost(v) ? v : corners_[v.value]; };
-    isBounded_.assign(std::size_t{local.tetLimit()} * 4, 0);
-    isInside_.assign(local.tetLimit(), 0);
-    queue_.clear();
+    const Triangulation3d& tets = local_.tets();
     std::size_t matched = 0;
-    for (std::uint32_t i = 0; i < local.tetLimit(); ++i) {
-        if (!local.isAlive(TetId(i))) continue;
+    for (std::uint32_t i = 0; i < tets.tetLimit(); ++i) {
+        if (!tets.isAlive(TetId(i))) continue;
         for (int face = 0; face < 4; ++face) {
-            const auto [a, b, c] = local.faceVertices({TetId(i), face});
-            if (findHoleFace(smallestFirst({original(a), original(b), original(c)})) == kNone) continue;
+            const auto [a, b, c] = tets.faceVertices({TetId(i), face});
+            const auto corner = smallestFirst({local_.original(a), local_.original(b), local_.original(c)});
+            if (!isHoleFace(corner)) continue;
             ++matched;
-            isBounded_[i * 4 + static_cast<std::uint32_t>(face)] = 1;
-            if (isInside_[i] == 0) queue_.push_back(TetId(i));
-            isInside_[i] = 1;
+            local_.bound({TetId(i), face}, true);
         }
     }
-    if (matched != holeFaces_.size()) return false;
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-        const TetRecord& record = local.tet(queue_[next]);
-        filling_.push_back({original(record.vertex[0]), original(record.vertex[1]),
-                            original(record.vertex[2]), original(record.vertex[3])});
-        for (unsigned face = 0; face < 4; ++face) {
-            const TetId other = record.neighbour[face].tet();
-            if (isBounded_[queue_[next].value * 4 + face] != 0 || isInside_[other.value] != 0) continue;
-            isInside_[other.value] = 1;
-            queue_.push_back(other);
-        }
-    }
-    return true;
+    return matched == holeFaces_.size() && local_.flood(true, filling_);
 }
 
 TetId VertexRemoval3d::commit()

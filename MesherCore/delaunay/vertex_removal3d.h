@@ -1,15 +1,13 @@
 #pragma once
 
+#include "delaunay/local_delaunay3d.h"
 #include "delaunay/tet_replacement3d.h"
 #include "delaunay/triangulation3d.h"
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace mesher {
-
-class Delaunay3d;
 
 enum class VertexHole3d : std::uint8_t
 {
@@ -31,7 +29,6 @@ class VertexRemoval3d
 {
 public:
     explicit VertexRemoval3d(Triangulation3d& mesh);
-    ~VertexRemoval3d();
     VertexRemoval3d(const VertexRemoval3d&) = delete;
     VertexRemoval3d& operator=(const VertexRemoval3d&) = delete;
 
@@ -42,8 +39,6 @@ public:
     [[nodiscard]] const std::vector<TetId>& created() const { return replacement_.created(); }
 
 private:
-    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-
     /// A face of the hole: its corners ordered for the inside, the smallest first, and the face seen from outside.
     struct HoleFace
     {
@@ -54,10 +49,9 @@ private:
     bool isOnConstraint() const;
     bool hasConstraint() const;
     void collectHole();
-    void triangulateCorners();
     void fillFlatHole();
     bool fillFromDelaunay();
-    std::uint32_t findHoleFace(const std::array<VertexId, 3>& corner) const;
+    bool isHoleFace(const std::array<VertexId, 3>& corner) const;
 
     Triangulation3d& mesh_;
     VertexId vertex_;
@@ -66,10 +60,7 @@ private:
     std::vector<VertexId> corners_;  ///< finite vertices of the hole
     std::vector<TetCorners> filling_;
     TetReplacement3d replacement_;
-    std::vector<TetId> queue_;
-    std::vector<char> isInside_;         ///< by tetrahedron of local_
-    std::vector<char> isBounded_;        ///< by face of local_: it is a face of the hole, seen from inside
-    std::unique_ptr<Delaunay3d> local_;  ///< made on first use: it owns the like of this class
+    LocalDelaunay3d local_;
 };
 
 }  // namespace mesher

@@ -110,32 +110,6 @@ std::vector<Box3> boxesOf(const SurfaceMesh& mesh, const std::vector<FacetId>& f
     return boxes;
 }
 
-/// Barycentric coordinates of the point of a triangle that is closest to a place.
-std::array<double, 3> closestWeights(const Vec3& place, const std::array<Vec3, 3>& corner)
-{
-    const auto& [a, b, c] = corner;
-    const Vec3 normal = cross(b - a, c - a);
-    const double square = squaredLength(normal);
-    if (square > 0.0) {
-        const double wb = dot(cross(place - a, c - a), normal) / square;
-        const double wc = dot(cross(b - a, place - a), normal) / square;
-        if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0) return {1.0 - wb - wc, wb, wc};
-    }
-    std::array<double, 3> best = {1.0, 0.0, 0.0};
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3;
-        const double share = closestShare(place, corner[i], corner[j]);
-        const double distance = squaredLength(place - ((1.0 - share) * corner[i] + share * corner[j]));
-        if (distance >= least) continue;
-        least = distance;
-        best = {0.0, 0.0, 0.0};
-        best[i] = 1.0 - share;
-        best[j] = share;
-    }
-    return best;
-}
-
 /// Whether the segment from a to b may meet the box.
 bool mayMeet(const Vec3& a, const Vec3& b, const Box3& box)
 {

@@ -2,12 +2,20 @@
 
 #include "brep/face_area.h"
 #include "brep/solid_volume.h"
+#include "delaunay/triangulation3d.h"
+#include "pipeline/feature_sizes.h"
+#include "pipeline/model_components.h"
+#include "pipeline/solid_region.h"
+#include "sizing/combined_size.h"
+#include "surface_sampling/sample_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace mesher {
@@ -20,6 +28,7 @@ constexpr double kRegularTet = 0.118;
 constexpr double kRegularTriangle = 0.433;
 constexpr double kTetsForWanted = 1.35;
 constexpr double kTetsForFineTriangle = 13.0;  // with those along its edges
+constexpr double kTetsForFineFacet = 5.0;
 constexpr double kTetsForEdge = 15.0;
 constexpr double kBytesForTet = 220.0;
 constexpr double kBytesAtLeast = 4e7;
@@ -27,42 +36,61 @@ constexpr double kTetsInSecond = 3.5e5;
 constexpr double kRadiansForEdge = 1.2;    // that an edge turns at most where no curvature is asked for
 constexpr double kLargestOfModel = 0.125;  // size without any wish, of the box's diagonal
 constexpr double kTrustedUncertainty = 0.05;
+constexpr double kLargestMinAngle = 34.0;             // degrees, see FacetCriteriaOptions
+constexpr std::size_t kMostSampledVertices = 60'000;  // about a second
 
-/// Mean of 1 / size^3 over a box, on cells as fine as the field varies.
+/// Mean of 1 / size^3 over the part of a box that is in a region, on cells as fine as the field varies.
 class MeanDensity
 {
 public:
-    explicit MeanDensity(const SizingField& sizes, double largest) : sizes_(sizes), largest_(largest) {}
+    /// Without a region, over all of the box.
+    MeanDensity(const SizingField& sizes, double largest, const SizeRegion* region)
+        : sizes_(sizes), largest_(largest), region_(region), leastDepth_(region != nullptr ? 5 : 3)
+    {
+    }
 
-    double of(const Box3& box, int depth)
+    /// None if no cell is in the region.
+    std::optional<double> of(const Box3& box)
+    {
+        add(box, 0, 1.0);
+        if (!(inside_ > 0.0)) return std::nullopt;
+        return sum_ / inside_;
+    }
+
+private:
+    void add(const Box3& box, int depth, double share)
     {
         ++cells_;
         const Vec3 centre = 0.5 * (box.low + box.high);
         const double size = std::min(largest_, sizes_.sizeAt(centre));
         const double radius = 0.5 * length(box.extent());
         const bool varies = std::min(largest_, sizes_.smallestNear(centre, radius)) < 0.8 * size;
-        if (depth >= kLeastDepth && (!varies || depth >= kMostDepth || cells_ > kMostCells))
-            return 1.0 / (size * size * size);
-        double sum = 0.0;
+        if (depth >= leastDepth_ && (!varies || depth >= kMostDepth || cells_ > kMostCells)) {
+            if (region_ != nullptr && !region_->contains(centre)) return;
+            inside_ += share;
+            sum_ += share / (size * size * size);
+            return;
+        }
         for (int octant = 0; octant < 8; ++octant) {
             Box3 part;
             part.include(centre);
             part.include({(octant & 1) != 0 ? box.high.x : box.low.x,
                           (octant & 2) != 0 ? box.high.y : box.low.y,
                           (octant & 4) != 0 ? box.high.z : box.low.z});
-            sum += of(part, depth + 1);
+            add(part, depth + 1, 0.125 * share);
         }
-        return sum / 8.0;
     }
 
-private:
-    static constexpr int kLeastDepth = 3;
     static constexpr int kMostDepth = 8;
     static constexpr int kMostCells = 300'000;
 
     const SizingField& sizes_;
     double largest_;
+    const SizeRegion* region_;
+    int leastDepth_;
     int cells_ = 0;
+    double inside_ = 0.0;
+    double sum_ = 0.0;
 };
 
 /// The edge length that a curvature asks for.
@@ -121,26 +149,150 @@ double fineTriangles(const BrepModel& model, const BrepFace& face, const MeshOpt
     return weights > 0.0 ? areaOf(model, face) * sum / (weights * kRegularTriangle) : 0.0;
 }
 
+double largestSize(const BrepModel& model, const MeshOptions& options)
+{
+    return std::min(options.size.value_or(kNoSize), kLargestOfModel * length(model.box.extent()));
+}
+
+/// Of the sizes wanted in the volume, which is the region if there is one; 0 where it is not known.
+double tetsForSizes(const BrepModel& model, const SizingField* sizes, double largest,
+                    const SizeRegion* region = nullptr)
+{
+    const SolidVolume volume = volumeOf(model);
+    if (volume.uncertainty > kTrustedUncertainty * volume.value) return 0.0;
+    std::optional<double> density = 1.0 / (largest * largest * largest);
+    if (sizes != nullptr) density = MeanDensity(*sizes, largest, region).of(model.box);
+    if (!density) density = MeanDensity(*sizes, largest, nullptr).of(model.box);
+    return kTetsForWanted * volume.value * *density / kRegularTet;
+}
+
+MeshEstimate costOfTets(double tets, const BrepModel& model)
+{
+    const double elements = std::max(tets, kTetsForEdge * static_cast<double>(model.edges.size()));
+    return {elements, kBytesAtLeast + kBytesForTet * elements, elements / kTetsInSecond};
+}
+
+/// As the surfaces of a run are sampled, but for the sizes.
+SurfaceSamplingOptions samplingOfShape(const MeshOptions& options)
+{
+    SurfaceSamplingOptions sampling;
+    sampling.curves.segmentsPerTurn = options.curvature;
+    sampling.curves.maxSag = options.sag;
+    sampling.curves.maxVariation = std::min(options.maxTurn, sampling.curves.maxVariation);
+    sampling.facets.minAngle = std::min(options.minAngle, kLargestMinAngle);
+    sampling.facets.elementsPerTurn = options.curvature;
+    sampling.facets.maxSag = options.sag;
+    sampling.facets.leastCurvatureSize = options.minSize.value_or(0.0);
+    sampling.limits.maxVertices = kMostSampledVertices;
+    sampling.maxCertificateRounds = -1;
+    return sampling;
+}
+
+std::shared_ptr<const SizingField> featuresOf(const BrepModel& model, const MeshOptions& options,
+                                              RunContext& context)
+{
+    const Result<RegionSides> sides = regionSidesOf(model);
+    if (!options.refinement || !sides) return nullptr;
+    MeshOptions ofShape = options;
+    ofShape.curvature = ofShape.sag = 0.0;
+    return featureSizes(model, *sides, samplingOfShape(ofShape), *options.refinement, options.grading,
+                        context)
+        .field;
+}
+
+/// Those with a solid on one side only.
+void addOuterFacets(const BrepModel& model, const SurfaceMesh& mesh,
+                    std::vector<std::array<Vec3, 3>>& triangles)
+{
+    const Result<RegionSides> sides = regionSidesOf(model);
+    if (!sides) return;
+    for (const SurfaceFacet& facet : mesh.facets) {
+        if (!facet.isAlive()) continue;
+        const auto& [front, behind] = (*sides)[facet.face];
+        if ((front == kExteriorRegion) == (behind == kExteriorRegion)) continue;
+        triangles.push_back({mesh.nodes[facet.node[0]].position, mesh.nodes[facet.node[1]].position,
+                             mesh.nodes[facet.node[2]].position});
+    }
+}
+
+double areaOfFacet(const SurfaceMesh& mesh, const SurfaceFacet& facet)
+{
+    const Vec3& a = mesh.nodes[facet.node[0]].position;
+    return 0.5 *
+           length(cross(mesh.nodes[facet.node[1]].position - a, mesh.nodes[facet.node[2]].position - a));
+}
+
+/// What a body has behind its surface, on average; infinite where its volume is not known.
+double meanDepth(const BrepModel& model, const std::vector<SurfaceSample>& samples)
+{
+    const SolidVolume volume = volumeOf(model);
+    if (volume.uncertainty > kTrustedUncertainty * volume.value) return kNoSize;
+    double area = 0.0;
+    for (const SurfaceSample& sample : samples) {
+        const SurfaceMesh& mesh = sample.surface->mesh();
+        for (const SurfaceFacet& facet : mesh.facets)
+            area += facet.isAlive() ? areaOfFacet(mesh, facet) : 0.0;
+    }
+    return volume.value / area;
+}
+
+/// At facets beyond those that the sizes around them would make. Where there is no depth for all that a facet may have, as in
+/// bars and plates, it has that of tetrahedra as small as itself in the depth that there is.
+double tetsAtFineFacets(const SurfaceMesh& mesh, const SizingField* sizes, double largest, double depth)
+{
+    double tets = 0.0;
+    for (const SurfaceFacet& facet : mesh.facets) {
+        if (!facet.isAlive()) continue;
+        Vec3 middle;
+        for (const NodeId node : facet.node) middle = middle + (1.0 / 3.0) * mesh.nodes[node].position;
+        const double wanted = std::min(largest, sizes != nullptr ? sizes->sizeAt(middle) : kNoSize);
+        const double own = std::sqrt(areaOfFacet(mesh, facet) / kRegularTriangle);
+        const double inDepth = kTetsForWanted * kRegularTriangle * depth / (kRegularTet * own);
+        const double share = std::max(0.0, 1.0 - own * own / (wanted * wanted));
+        tets += share * std::min(kTetsForFineFacet, inDepth);
+    }
+    return tets;
+}
+
 }  // namespace
 
 MeshEstimate estimateSolids(const BrepModel& model, const MeshOptions& options, const SizingField* sizes)
 {
-    const double largest =
-        std::min(options.size.value_or(kNoSize), kLargestOfModel * length(model.box.extent()));
-    const SolidVolume volume = volumeOf(model);
-    const bool isTrusted = volume.uncertainty <= kTrustedUncertainty * volume.value;
-    double elements = 0.0;
-    if (isTrusted) {
-        const double density = sizes != nullptr ? MeanDensity(*sizes, largest).of(model.box, 0)
-                                                : 1.0 / (largest * largest * largest);
-        elements += kTetsForWanted * volume.value * density / kRegularTet;
-    }
+    const double largest = largestSize(model, options);
+    double tets = tetsForSizes(model, sizes, largest);
     for (std::uint32_t i = 0; i < model.faces.size(); ++i) {
-        elements +=
+        tets +=
             kTetsForFineTriangle * fineTriangles(model, model.faces[BrepFaceId(i)], options, sizes, largest);
     }
-    elements = std::max(elements, kTetsForEdge * static_cast<double>(model.edges.size()));
-    return {elements, kBytesAtLeast + kBytesForTet * elements, elements / kTetsInSecond};
+    return costOfTets(tets, model);
+}
+
+MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& options,
+                                    std::shared_ptr<const SizingField> sizes, RunContext& context)
+{
+    std::vector<std::shared_ptr<const SizingField>> fields;
+    if (sizes) fields.push_back(sizes);
+    std::vector<SurfaceSample> samples;
+    std::vector<std::array<Vec3, 3>> hull;
+    for (const ModelComponent& component : solidComponents(model)) {
+        Result<SurfaceSample> sample = sampleSurface(component.model, samplingOfShape(options), context);
+        const bool isWhole = sample && sample->failures.empty() && sample->stopReason == StopReason::Done;
+        if (!isWhole) return estimateSolids(model, options, sizes.get());
+        samples.push_back(std::move(sample).value());
+        addOuterFacets(component.model, samples.back().surface->mesh(), hull);
+        // What has no such sizes is refused by the run.
+        if (auto features = featuresOf(component.model, options, context))
+            fields.push_back(std::move(features));
+    }
+    if (options.refinement && !fields.empty())
+        sizes = std::make_shared<CombinedSize>(std::move(fields), options.minSize.value_or(0.0));
+    const double largest = largestSize(model, options);
+    const SolidRegion inside(std::move(hull));
+    double tets = tetsForSizes(model, sizes.get(), largest, &inside);
+    const double depth = meanDepth(model, samples);
+    for (const SurfaceSample& sample : samples)
+        tets += tetsAtFineFacets(sample.surface->mesh(), sizes.get(), largest, depth);
+    return costOfTets(tets, model);
 }
 
 }  // namespace mesher

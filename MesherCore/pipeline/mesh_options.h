@@ -23,8 +23,9 @@ struct MeshOptions
     std::optional<double> minSize;  ///< none is asked to be smaller; > 0, at most `size`. DEFAULT: none
     double curvature = 0.0;         ///< elements in a full turn of a curve, 0 (off) or 3 … 3600. DEFAULT: 0
     double sag = 0.0;               ///< largest distance of an edge from its curve; 0 is off. DEFAULT: 0
-    double refinement = 1.0;        ///< R: boundary size is local feature size / R; 1 … 1000. DEFAULT: 1
-    double grading = 1.0;           ///< G: sizes grow by at most distance / G; 0.01 … 1000. DEFAULT: 1
+    /// R: boundary size is local feature size / R; 1 … 1000. DEFAULT: 1 on plane faces, in space no size by features
+    std::optional<double> refinement;
+    double grading = 1.0;  ///< G: sizes grow by at most distance / G; 0.01 … 1000. DEFAULT: 1
     std::vector<LocalSize> localSizes;
     std::vector<SizeByDistance> distanceSizes;
     std::vector<SizeInBox> boxSizes;

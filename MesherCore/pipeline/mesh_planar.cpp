@@ -20,10 +20,10 @@ Result<void> checkSupported(const MeshOptions& options)
 {
     if (options.order != 1) {
         return Error{ErrorCode::InvalidArgument,
-                     "is not yet there for plane meshes",
+                     "elements of second order are not there yet for plane meshes",
                      "--order 2",
                      {},
-                     "leave the option out"};
+                     "choose --order 1"};
     }
     return {};
 }
@@ -99,7 +99,7 @@ PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* fie
     PlanarOptions planar;
     planar.sampling.maxVariation = options.maxTurn;
     planar.refinement.minAngle = options.minAngle;
-    planar.refinement.sizing.refinement = options.refinement;
+    planar.refinement.sizing.refinement = options.refinement.value_or(1.0);
     planar.refinement.sizing.grading = options.grading;
     planar.refinement.sizing.field = field;
     planar.limits.maxElements = options.maxElements;

@@ -112,7 +112,7 @@ Json toJson(const MeshOptions& options)
                  {"min_size", orNull(options.minSize)},
                  {"curvature", options.curvature},
                  {"sag", options.sag},
-                 {"refinement", options.refinement},
+                 {"refinement", orNull(options.refinement)},
                  {"grading", options.grading},
                  {"local_sizes", Json::object()},
                  {"size_distance", Json::array()},

@@ -24,11 +24,6 @@ namespace {
 constexpr double kReportedUncertainty = 1e-4;  // of the model's volume, relative
 constexpr double kLargestMinAngle = 34.0;      // degrees, see FacetCriteriaOptions
 
-Error notYet(const char* option, const char* what)
-{
-    return {ErrorCode::InvalidArgument, what, option, {}, "leave the option out"};
-}
-
 Result<void> checkSolids(const BrepModel& model)
 {
     if (model.solids.empty()) {
@@ -65,9 +60,16 @@ void tellMeasures(const BrepModel& model, MeshReport& report)
 }
 
 Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, const MeshOptions& options,
-                                                        std::shared_ptr<const SizingField> fromFiles)
+                                                        std::shared_ptr<const SizingField> fromFiles,
+                                                        RunContext& context)
 {
-    if (options.order != 1) return notYet("--order 2", "is not yet there for solids and faces in space");
+    if (options.order != 1) {
+        return Error{ErrorCode::InvalidArgument,
+                     "elements of second order are not there yet for solids and faces in space",
+                     "--order 2",
+                     {},
+                     "choose --order 1"};
+    }
     if (options.minAngle > kLargestMinAngle) {
         return Error{ErrorCode::InvalidArgument,
                      "cannot be above 34 degrees on faces in space",
@@ -75,7 +77,7 @@ Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, 
                      {},
                      "give an angle from 0 to 34"};
     }
-    return solidSizes(model, options, std::move(fromFiles));
+    return solidSizes(model, options, std::move(fromFiles), context);
 }
 
 void finish(const MeshOptions& options, MeshOutcome& outcome)
@@ -116,12 +118,10 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
 {
     const auto start = SolidRun::Clock::now();
     if (const Result<void> sound = checkSolids(model); !sound) return refused(options, sound.error());
-    const auto sizes = prepareSizes(model, options, std::move(fromFiles));
+    const auto sizes = prepareSizes(model, options, std::move(fromFiles), context);
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome whole;
     whole.report.options = options;
-    if (options.refinement != 1.0)
-        whole.report.warnings.push_back("--refinement has no effect on solids yet");
     const StageWatch estimation;
     tellMeasures(model, whole.report);
     const Result<void> affordable = checkAffordable(estimateSolids(model, options, sizes->get()), options);
@@ -155,15 +155,16 @@ Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOption
                                         std::shared_ptr<const SizingField> fromFiles)
 {
     if (const Result<void> sound = checkSolids(model); !sound) return sound.error();
-    const Result<std::shared_ptr<const SizingField>> sizes = solidSizes(model, options, std::move(fromFiles));
+    RunContext context;
+    const auto sizes = solidSizes(model, options, std::move(fromFiles), context);
     if (!sizes) return sizes.error();
-    return estimateSolids(model, options, sizes->get());
+    return estimateSolidsBySample(model, options, *sizes, context);
 }
 
 MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,
                       std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
-    const auto sizes = prepareSizes(model, options, std::move(fromFiles));
+    const auto sizes = prepareSizes(model, options, std::move(fromFiles), context);
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome outcome =
         SolidRun(model, options, sizes.value(), context, SolidRun::Clock::now()).meshFaces();

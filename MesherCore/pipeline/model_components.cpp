@@ -27,15 +27,10 @@ void makeUnique(std::vector<T>& ids)
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-Members membersOf(const BrepModel& model, std::vector<BrepSolidId> solids)
+Members membersOf(const BrepModel& model, std::vector<BrepFaceId> faces)
 {
     Members members;
-    members.solids = std::move(solids);
-    for (const BrepSolidId s : members.solids) {
-        for (const BrepShell& shell : model.solids[s].shells) {
-            for (const BrepShellFace& face : shell.faces) members.faces.push_back(face.face);
-        }
-    }
+    members.faces = std::move(faces);
     makeUnique(members.faces);
     for (const BrepFaceId f : members.faces) {
         const BrepFace& face = model.faces[f];
@@ -52,6 +47,19 @@ Members membersOf(const BrepModel& model, std::vector<BrepSolidId> solids)
         members.vertices.push_back(model.edges[e].last);
     }
     makeUnique(members.vertices);
+    return members;
+}
+
+Members membersOf(const BrepModel& model, std::vector<BrepSolidId> solids)
+{
+    std::vector<BrepFaceId> faces;
+    for (const BrepSolidId s : solids) {
+        for (const BrepShell& shell : model.solids[s].shells) {
+            for (const BrepShellFace& face : shell.faces) faces.push_back(face.face);
+        }
+    }
+    Members members = membersOf(model, std::move(faces));
+    members.solids = std::move(solids);
     return members;
 }
 
@@ -87,7 +95,7 @@ std::vector<std::vector<BrepSolidId>> groupsOf(const BrepModel& model)
     IdVector<BrepVertexId, BrepSolidId> solidAt(model.vertices.size());
     IdVector<BrepFaceId, BrepSolidId> solidBeside(model.faces.size());
     for (std::uint32_t s = 0; s < count; ++s) {
-        const Members members = membersOf(model, {BrepSolidId(s)});
+        const Members members = membersOf(model, std::vector{BrepSolidId(s)});
         for (const BrepVertexId v : members.vertices) {
             if (solidAt[v].isValid()) groups.join(solidAt[v].value, s);
             solidAt[v] = BrepSolidId(s);
@@ -229,6 +237,16 @@ std::vector<ModelComponent> solidComponents(const BrepModel& model)
     for (std::vector<BrepSolidId>& group : groupsOf(model))
         components.push_back(weld(extract(model, membersOf(model, std::move(group)))));
     return components;
+}
+
+ModelComponent solidAlone(const BrepModel& model, BrepSolidId solid)
+{
+    return weld(extract(model, membersOf(model, std::vector{solid})));
+}
+
+ModelComponent faceAlone(const BrepModel& model, BrepFaceId face)
+{
+    return extract(model, membersOf(model, std::vector{face}));
 }
 
 void appendComponent(const ModelComponent& component, const ClassifiedMesh& part, ClassifiedMesh& whole)

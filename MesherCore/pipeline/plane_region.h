@@ -1,13 +1,10 @@
 #pragma once
 
 #include "brep/plane_frame.h"
-#include "sizing/sizing_field.h"
+#include "sizing/region_size.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace mesher {
@@ -15,7 +12,7 @@ namespace mesher {
 /// A region of a plane by the chords of its boundary, in any order and direction: tells inside from outside up to the distance
 /// of the chords from the curves that they stand for.
 /// Cost         linear to make; a question looks at the chords of one strip of the plane, as many strips as chords
-class PlaneRegion
+class PlaneRegion final : public SizeRegion
 {
 public:
     using Chord = std::array<Vec2, 2>;
@@ -23,7 +20,7 @@ public:
     PlaneRegion(const PlaneFrame& frame, std::vector<Chord> boundary);
 
     /// Of the point's projection onto the plane.
-    [[nodiscard]] bool contains(const Vec3& point) const;
+    [[nodiscard]] bool contains(const Vec3& point) const override;
 
 private:
     [[nodiscard]] std::size_t stripOf(double y) const;
@@ -34,24 +31,6 @@ private:
     double stripsPerLength_ = 0.0;
     std::vector<std::size_t> start_;     ///< of each strip in `chords_`, and the end
     std::vector<std::uint32_t> chords_;  ///< by strip
-};
-
-/// One size inside of a region, no wish outside.
-class RegionSize final : public SizingField
-{
-public:
-    RegionSize(std::shared_ptr<const PlaneRegion> region, double size)
-        : region_(std::move(region)), size_(size)
-    {
-    }
-    [[nodiscard]] double sizeAt(const Vec3& point) const override
-    {
-        return region_->contains(point) ? size_ : kNoSize;
-    }
-
-private:
-    std::shared_ptr<const PlaneRegion> region_;
-    double size_;
 };
 
 }  // namespace mesher

@@ -2,6 +2,7 @@
 
 #include "pipeline/classify_solids.h"
 #include "pipeline/estimate.h"
+#include "pipeline/feature_sizes.h"
 #include "pipeline/improve_solids.h"
 #include "pipeline/left_elements.h"
 #include "pipeline/report_steps.h"
@@ -9,10 +10,12 @@
 #include "pipeline/stage_watch.h"
 #include "pipeline/wall_estimate.h"
 #include "refinement/refine_volume.h"
+#include "sizing/combined_size.h"
 
 #include <algorithm>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace mesher {
 
@@ -36,7 +39,10 @@ SolidRun::SolidRun(const BrepModel& model, const MeshOptions& options,
     report().options = options;
 }
 
-bool SolidRun::sampleSurfaces() { return isSampled_ = findSides() && sample() && boundsVolumes(); }
+bool SolidRun::sampleSurfaces()
+{
+    return isSampled_ = findSides() && findFeatures() && sample() && boundsVolumes();
+}
 
 const SurfaceMesh* SolidRun::surface() const { return isSampled_ ? &sample_.surface->mesh() : nullptr; }
 
@@ -60,7 +66,8 @@ MeshOutcome SolidRun::keepSurface()
 
 MeshOutcome SolidRun::meshFaces()
 {
-    if (findSides() && sample()) outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
+    if (findSides() && findFeatures() && sample())
+        outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
     return std::move(outcome_);
 }
 
@@ -72,20 +79,42 @@ bool SolidRun::findSides()
     return true;
 }
 
-bool SolidRun::sample()
+SurfaceSamplingOptions SolidRun::samplingOfShape() const
 {
     SurfaceSamplingOptions sampling;
+    sampling.curves.maxVariation = std::min(options_.maxTurn, sampling.curves.maxVariation);
+    sampling.facets.minAngle = options_.minAngle;
+    sampling.limits.maxTime = timeLeft();
+    sampling.limits.maxElements = options_.maxElements;
+    return sampling;
+}
+
+/// Features are those of the shape, before any size makes its mesh finer.
+bool SolidRun::findFeatures()
+{
+    if (!options_.refinement) return true;
+    const StageWatch watch;
+    const FeatureSizes features =
+        featureSizes(model_, sides_, samplingOfShape(), *options_.refinement, options_.grading, context_);
+    watch.addTo(report(), "features");
+    if (features.failure) return failed(*features.failure);
+    if (!mayGoOn(features.stopReason)) return false;
+    std::vector<std::shared_ptr<const SizingField>> fields = {features.field};
+    if (sizes_) fields.push_back(sizes_);
+    sizes_ = std::make_shared<CombinedSize>(std::move(fields), options_.minSize.value_or(0.0));
+    return true;
+}
+
+bool SolidRun::sample()
+{
+    SurfaceSamplingOptions sampling = samplingOfShape();
     sampling.curves.sizes = sizes_.get();
     sampling.curves.segmentsPerTurn = options_.curvature;
     sampling.curves.maxSag = options_.sag;
-    sampling.curves.maxVariation = std::min(options_.maxTurn, sampling.curves.maxVariation);
-    sampling.facets.minAngle = options_.minAngle;
     sampling.facets.elementsPerTurn = options_.curvature;
     sampling.facets.maxSag = options_.sag;
     sampling.facets.sizes = sizes_.get();
     sampling.facets.leastCurvatureSize = options_.minSize.value_or(0.0);
-    sampling.limits.maxTime = timeLeft();
-    sampling.limits.maxElements = options_.maxElements;
     const StageWatch watch;
     Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);
     watch.addTo(report(), "surfaces");
@@ -141,7 +170,6 @@ bool SolidRun::refine()
 {
     RefineVolumeOptions refinement;
     refinement.sizing.usesLocalFeatureSize = false;
-    refinement.sizing.refinement = options_.refinement;
     refinement.sizing.grading = options_.grading;
     refinement.sizing.field = sizes_.get();
     refinement.quality.measure = options_.measure;

@@ -41,6 +41,7 @@ public:
 
 private:
     bool findSides();
+    bool findFeatures();
     bool sample();
     bool boundsVolumes();
     bool canFillWalls();
@@ -48,6 +49,7 @@ private:
     bool refine();
     void improve();
 
+    [[nodiscard]] SurfaceSamplingOptions samplingOfShape() const;
     [[nodiscard]] MeshReport& report() { return outcome_.report; }
     bool failed(Error error);
     bool mayGoOn(StopReason reason);

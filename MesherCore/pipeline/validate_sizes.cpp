@@ -23,7 +23,9 @@ Result<void> validateUniform(const MeshOptions& options)
     if (options.curvature != 0.0) {
         if (auto r = checkRange("curvature", options.curvature, 3.0, 3600.0); !r) return r;
     }
-    if (auto r = checkRange("refinement", options.refinement, 1.0, 1000.0); !r) return r;
+    if (options.refinement) {
+        if (auto r = checkRange("refinement", *options.refinement, 1.0, 1000.0); !r) return r;
+    }
     return checkRange("grading", options.grading, 0.01, 1000.0);
 }
 

@@ -1,9 +1,10 @@
 #include "refinement/length_scale3d.h"
 
+#include "refinement/local_feature_size.h"
+#include "refinement/meshed_tets.h"
 #include "sizing/gradation.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mesher {
 
@@ -11,30 +12,6 @@ namespace {
 
 /// Scales that are too high by less than this are left: each lowering looks at its neighbourhood again.
 constexpr double kSlack = 1.02;
-
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-    const Vec3 along = b - a;
-    const double t = std::clamp(dot(p - a, along) / squaredLength(along), 0.0, 1.0);
-    return length(p - (a + t * along));
-}
-
-double distanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
-{
-    const Vec3 normal = cross(b - a, c - a);
-    const auto isInsideOf = [&](const Vec3& from, const Vec3& to) {
-        return dot(cross(to - from, p - from), normal) >= 0.0;
-    };
-    if (isInsideOf(a, b) && isInsideOf(b, c) && isInsideOf(c, a)) {
-        return std::abs(dot(p - a, normal)) / length(normal);
-    }
-    return std::min({distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
-}
-
-bool isMeshed(const Triangulation3d& mesh, TetId tet)
-{
-    return mesh.isAlive(tet) && mesh.region(tet) != kExteriorRegion && !mesh.isGhostTet(tet);
-}
 
 GradationGraph graphOf(const Triangulation3d& mesh)
 {
@@ -80,46 +57,10 @@ double LengthScale3d::wantedNear(const Vec3& position, double radius) const
     return scale * sizing_.field->smallestNear((1.0 / scale) * position, radius / scale);
 }
 
-/// The three distances of thesis section 4.4, as far as this tetrahedron knows them.
-void LengthScale3d::lowerToLocalFeatures(TetId tet, std::vector<double>& lfs) const
-{
-    const auto& vertex = mesh_.tet(tet).vertex;
-    std::array<Vec3, 4> p;
-    for (unsigned i = 0; i < 4; ++i) p[i] = mesh_.position(vertex[i]);
-    for (const auto& [from, to] : kEdgeSlots) {
-        const auto i = static_cast<unsigned>(from);
-        const auto j = static_cast<unsigned>(to);
-        const double distance = length(p[j] - p[i]);
-        lfs[vertex[i].value] = std::min(lfs[vertex[i].value], distance);
-        lfs[vertex[j].value] = std::min(lfs[vertex[j].value], distance);
-    }
-    for (unsigned face = 0; face < 4; ++face) {
-        if (!mesh_.isFaceConstrained({tet, static_cast<int>(face)})) continue;
-        const unsigned a = static_cast<unsigned>(kFaceSlots[face][0]);
-        const unsigned b = static_cast<unsigned>(kFaceSlots[face][1]);
-        const unsigned c = static_cast<unsigned>(kFaceSlots[face][2]);
-        double& apex = lfs[vertex[face].value];
-        apex = std::min(apex, distanceToTriangle(p[face], p[a], p[b], p[c]));
-        for (const auto& [v, from, to] : {std::array{a, b, c}, std::array{b, c, a}, std::array{c, a, b}}) {
-            double& corner = lfs[vertex[v].value];
-            corner = std::min(corner, distanceToSegment(p[v], p[from], p[to]));
-        }
-    }
-}
-
-std::vector<double> LengthScale3d::localFeatureSizes() const
-{
-    std::vector<double> lfs(mesh_.vertexLimit(), kNoSize);
-    for (std::uint32_t i = 0; i < mesh_.tetLimit(); ++i) {
-        if (isMeshed(mesh_, TetId(i))) lowerToLocalFeatures(TetId(i), lfs);
-    }
-    return lfs;
-}
-
 void LengthScale3d::setInitial()
 {
     const GradationGraph graph = graphOf(mesh_);
-    std::vector<double> guard = localFeatureSizes();
+    std::vector<double> guard = localFeatureSizes(mesh_);
     std::vector<double> size(guard.size(), kNoSize);
     for (std::uint32_t i = 0; i < guard.size(); ++i) {
         if (guard[i] == kNoSize) continue;

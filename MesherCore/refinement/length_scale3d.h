@@ -54,8 +54,6 @@ public:
 
 private:
     void setGuard(VertexId v, double value);
-    [[nodiscard]] std::vector<double> localFeatureSizes() const;
-    void lowerToLocalFeatures(TetId tet, std::vector<double>& lfs) const;
 
     ConstrainedTetrahedralization& tetrahedralization_;
     Triangulation3d& mesh_;

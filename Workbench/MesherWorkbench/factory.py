@@ -1,9 +1,12 @@
 """The one place that makes mesh objects."""
+import os
+
 import FreeCAD
 
 import mesher
 
 from .objects.mesh import MesherMesh
+from .tools import size_words
 from .tools.mesh_tool import MeshTool
 
 _PROPERTY_OF_OPTION = {
@@ -15,16 +18,32 @@ _PROPERTY_OF_OPTION = {
     "grading": "Grading",
     "improve": "OptimizeStd",
     "threads": "Threads",
+    "size_formula": "SizeFormula",
+    "measure": "QualityMeasure",
+    "threshold": "QualityThreshold",
+    "min_angle": "MinAngle",
+    "max_turn": "MaxTurn",
+    "allow_overlap": "AllowOverlap",
+    "check": "CheckMesh",
+    "max_elements": "MaxElements",
+    "max_wall_elements": "MaxWallElements",
+    "timeout": "Timeout",
 }
-_OPTIONS = {*_PROPERTY_OF_OPTION, "dimension", "order", "local_sizes"}
+_FILES = {"size_points": "SizePoints", "background": "BackgroundMesh"}
+_WORDS = {
+    "size_distance": ("SizeDistances", size_words.of_distances),
+    "size_box": ("SizeBoxes", size_words.of_boxes),
+    "size_ball": ("SizeBalls", size_words.of_balls),
+}
+_OPTIONS = {*_PROPERTY_OF_OPTION, *_FILES, *_WORDS, "dimension", "order", "local_sizes", "heal"}
 
 
 def make_mesh(source, *, name="Mesh", progress=None, **options):
     """Makes a mesh object in the document of `source`, meshes it and returns it.
 
     `source` is a document object, one with the names of its faces (box, ["Face1", "Face6"]), a selection object of the GUI, or
-    a list with one of them. Options: size, min_size, curvature, sag, refinement, grading, improve, threads, dimension (2 or 3),
-    order (1 or 2), local_sizes ({"Face6": 0.5}). `progress(stage, fraction)` ends the run by returning False.
+    a list with one of them. Options are those of mesher.mesh but for `faces`, which are those of the source; `size_points` and
+    `background` are paths, since the object keeps them. `progress(stage, fraction)` ends the run by returning False.
 
     Raises what mesher.mesh raises; the document has no mesh object then.
     """
@@ -48,7 +67,7 @@ def make_mesh_object(source, *, name="Mesh", **options):
     if unknown:
         raise TypeError(f"make_mesh() has no option '{unknown[0]}'")
     # Properties of lengths would make nothing of what is below zero, and say nothing.
-    mesher.validate(**options)
+    mesher.validate(**{option: value for option, value in options.items() if option != "heal"})
     part, names = _part_and_names(source)
     obj = part.Document.addObject("Fem::FemMeshObjectPython", name)
     try:
@@ -67,13 +86,23 @@ def make_mesh_object(source, *, name="Mesh", **options):
     return obj
 
 
-def _set_options(obj, is_faces, dimension=None, order=1, local_sizes=None, **options):
+def _set_options(obj, is_faces, dimension=None, order=1, local_sizes=None, heal=False, **options):
     if dimension is not None or is_faces:
         obj.ElementDimension = "3D" if dimension == 3 else "2D"
     obj.ElementOrder = "2nd" if order == 2 else "1st"
     obj.LocalSizes = {entity: f"{float(size)!r} mm" for entity, size in (local_sizes or {}).items()}
+    obj.HealShape = heal
     for option, value in options.items():
-        if value is not None:
+        if value is None:
+            continue
+        if option in _WORDS:
+            name, words = _WORDS[option]
+            setattr(obj, name, words(value))
+        elif option in _FILES:
+            if not isinstance(value, (str, os.PathLike)):
+                raise TypeError(f"make_mesh() wants the path of a file for {option}: the object keeps it")
+            setattr(obj, _FILES[option], os.fspath(value))
+        else:
             setattr(obj, _PROPERTY_OF_OPTION[option], value)
 
 

@@ -9,6 +9,8 @@ _NAMES = {
     "larger size": "larger Largest size",
     "local_sizes": "Local size",
     "max_elements": "the limit on elements",
+    "order=1": "1st as the object's ElementOrder",
+    "order=2": "ElementOrder 2nd",
     "min_size": "Smallest size",
     "larger than size": "larger than Largest size",
     "curvature": "Elements / turn",

@@ -52,6 +52,15 @@ int check(const std::string& path)
     return 1;
 }
 
+/// For the shell. Put together by appending: where a literal is put in front of a temporary, GCC 12 warns of an overlap that
+/// there is not (-Wrestrict).
+std::string quoted(const std::string& word)
+{
+    std::string result("'");
+    result.append(word).append("'");
+    return result;
+}
+
 int reduce(const std::string& from, const std::string& to, const std::string& command)
 {
     const auto log = readLog(from);
@@ -63,7 +72,7 @@ int reduce(const std::string& from, const std::string& to, const std::string& co
     const auto fails = [&](const std::vector<ReplayOperation>& operations) {
         if (!writeLog(ReplayLog(operations), candidate)) return false;
         // A crash counts: the shell tells it as a status beyond 128.
-        return std::system((command + " '" + candidate + "' >/dev/null 2>&1").c_str()) != 0;
+        return std::system((command + " " + quoted(candidate) + " >/dev/null 2>&1").c_str()) != 0;
     };
     const auto reduced = mesher::reduceSequence(log->operations(), fails);
     std::remove(candidate.c_str());
@@ -80,8 +89,7 @@ int main(int count, char** words)
 {
     const std::vector<std::string> arguments(words + 1, words + count);
     if (arguments.size() == 2 && arguments[0] == "--check") return check(arguments[1]);
-    if (arguments.size() == 2)
-        return reduce(arguments[0], arguments[1], "'" + std::string(words[0]) + "' --check");
+    if (arguments.size() == 2) return reduce(arguments[0], arguments[1], quoted(words[0]) + " --check");
     if (arguments.size() == 3) return reduce(arguments[0], arguments[1], arguments[2]);
     std::cerr << "usage: reduce_replay --check LOG | reduce_replay LOG REDUCED [COMMAND]\n";
     return 2;

@@ -36,4 +36,16 @@ inline BrepModel together(BrepModel first, const BrepModel& second)
     return first;
 }
 
+/// The first solid of a model with that of another as a hollow in it.
+inline BrepModel withHollow(BrepModel outer, const BrepModel& inner)
+{
+    const auto solids = static_cast<std::uint32_t>(outer.solids.size());
+    BrepModel model = together(std::move(outer), inner);
+    BrepShell hollow = model.solids[BrepSolidId(solids)].shells.front();
+    for (BrepShellFace& face : hollow.faces) face.isReversed = !face.isReversed;
+    model.solids.resize(solids);
+    model.solids[BrepSolidId(0)].shells.push_back(hollow);
+    return model;
+}
+
 }  // namespace mesher::test

@@ -18,7 +18,7 @@ __all__ = ["Cancelled", "Mesh", "MesherError", "MeshingError", "Model", "ModelEr
 
 
 def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=None, min_size=None, curvature=0.0, sag=0.0,
-         refinement=1.0, grading=1.0, local_sizes=None, size_distance=None, size_box=None, size_ball=None, size_formula=None,
+         refinement=None, grading=1.0, local_sizes=None, size_distance=None, size_box=None, size_ball=None, size_formula=None,
          size_points=None, background=None, min_angle=30.0, max_turn=90.0, measure="q2", threshold=None, improve=True, order=1,
          threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, allow_overlap=False, timeout=None,
          check=False):
@@ -33,9 +33,9 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     size, min_size  the largest size, and the least that any other option may ask for
     curvature       elements in a full turn of a curve; 0 is off
     sag             largest distance of an edge from its curve; 0 is off
-    refinement      R: boundary size is local feature size / R (plane faces)
+    refinement      R: boundary size is local feature size / R; None is 1 on plane faces and no such size in space
     grading         G: sizes grow by at most distance / G
-    local_sizes     {"Face6": 0.5} on faces, edges and vertices
+    local_sizes     {"Face6": 0.5} in solids, on faces, edges and vertices
     size_distance   {"Edge3": (size, growth[, plateau])}: by the distance from an entity
     size_box        [(corner, opposite corner, size[, growth])]
     size_ball       [(centre, radius, size[, growth])]
@@ -68,7 +68,7 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
 
 
 def estimate(source, *, heal=False, **options):
-    """What mesh(source, **options) is going to take, within a factor of about two: {"elements", "bytes", "seconds"}."""
+    """What mesh(source, **options) is going to take, within a factor of 1.5 on ordinary parts: {"elements", "bytes", "seconds"}."""
     return _core.estimate(model_of(source, heal), options)
 
 

@@ -111,7 +111,7 @@ def mesh(
     min_size: Optional[float] = None,
     curvature: float = 0.0,
     sag: float = 0.0,
-    refinement: float = 1.0,
+    refinement: float | None = None,
     grading: float = 1.0,
     local_sizes: Optional[Mapping[str, float]] = None,
     size_distance: Optional[Mapping[str, Sequence[float]]] = None,

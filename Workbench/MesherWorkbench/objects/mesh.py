@@ -2,6 +2,7 @@
 
 _DIMENSIONS = ["From Shape", "2D", "3D"]
 _ORDERS = ["1st", "2nd"]
+_MEASURES = ["q2", "q1", "q3", "q4", "q5", "q6", "q7", "q8"]  # the first one is the default
 
 # type, name, group, what it means, default; links are global because a part may be inside of a body
 _PROPERTIES = (
@@ -13,12 +14,28 @@ _PROPERTIES = (
     ("App::PropertyEnumeration", "ElementOrder", "FEM Mesh", "Order of the elements", _ORDERS),
     ("App::PropertyInteger", "MeshSizeFromCurvature", "FEM Mesh", "Elements in a full turn; 0 is off", 0),
     ("App::PropertyLength", "SurfaceDeviation", "FEM Mesh", "Largest distance of edges from the shape; 0 is off", 0.0),
-    ("App::PropertyFloat", "Refinement", "FEM Mesh", "R: boundary size is local feature size / R", 1.0),
+    ("App::PropertyFloat", "Refinement", "FEM Mesh", "R: boundary size is local feature size / R; 0 is off", 0.0),
     ("App::PropertyFloat", "Grading", "FEM Mesh", "G: sizes grow by at most distance / G", 1.0),
     ("App::PropertyBool", "OptimizeStd", "FEM Mesh", "Improve the mesh after it is refined", True),
     ("App::PropertyInteger", "Threads", "FEM Mesh", "Threads to use; the mesh does not depend on them", 1),
-    ("App::PropertyMap", "LocalSizes", "FEM Mesh", "Sizes of faces, edges and vertices: Face6 is 0.5 mm", None),
+    ("App::PropertyMap", "LocalSizes", "FEM Mesh", "Sizes of solids, faces, edges and vertices: Face6 is 0.5 mm", None),
     ("App::PropertyLinkListGlobal", "MeshRegionList", "FEM Mesh", "Regions with sizes of their own", None),
+    ("App::PropertyStringList", "SizeDistances", "Sizes", "Face6=SIZE,GROWTH[,PLATEAU]: by the distance from it", None),
+    ("App::PropertyStringList", "SizeBoxes", "Sizes", "X0,Y0,Z0,X1,Y1,Z1=SIZE[,GROWTH]: in a box", None),
+    ("App::PropertyStringList", "SizeBalls", "Sizes", "X,Y,Z,RADIUS=SIZE[,GROWTH]: in a ball", None),
+    ("App::PropertyString", "SizeFormula", "Sizes", "Size by x, y, z: 0.1 + 0.05*x", ""),
+    ("App::PropertyFile", "SizePoints", "Sizes", "Text file with lines x y z size", ""),
+    ("App::PropertyFile", "BackgroundMesh", "Sizes", "Mesh with a size at each node", ""),
+    ("App::PropertyEnumeration", "QualityMeasure", "Quality", "Of tetrahedra", _MEASURES),
+    ("App::PropertyFloat", "QualityThreshold", "Quality", "Score below which tetrahedra are refined; 0 is the usual", 0.0),
+    ("App::PropertyFloat", "MinAngle", "Quality", "Smallest angle wanted of triangles, degrees", 30.0),
+    ("App::PropertyFloat", "MaxTurn", "Quality", "Largest turn of a curve along an edge, degrees", 90.0),
+    ("App::PropertyBool", "AllowOverlap", "Run", "Mesh solids that overlap, each for itself", False),
+    ("App::PropertyBool", "HealShape", "Run", "Let the CAD kernel repair the shape first", False),
+    ("App::PropertyBool", "CheckMesh", "Run", "Check the mesh as a whole before it is taken over", False),
+    ("App::PropertyInteger", "MaxElements", "Run", "The run ends there", 50_000_000),
+    ("App::PropertyInteger", "MaxWallElements", "Run", "That thin walls may take", 1_000_000),
+    ("App::PropertyFloat", "Timeout", "Run", "Seconds after which the run ends; 0 is no limit", 0.0),
     ("App::PropertyString", "Report", "Result", "What the last run did, as JSON", ""),
     ("App::PropertyInteger", "NodeCount", "Result", "Nodes of the mesh", 0),
     ("App::PropertyInteger", "ElementCount", "Result", "Elements of highest dimension", 0),

@@ -27,8 +27,9 @@ _POLL_MILLISECONDS = 50
 _PAUSE_BEFORE_ESTIMATE = 300  # milliseconds, in which more may be typed
 _PATIENCE_AFTER_STOP = 0.5  # seconds
 _LENGTHS = (("size", "CharacteristicLengthMax"), ("minSize", "CharacteristicLengthMin"), ("sag", "SurfaceDeviation"))
-_NUMBERS = (("curvature", "MeshSizeFromCurvature"), ("improve", "OptimizeStd"))
-_LOCAL_KINDS = ("Face", "Edge", "Vertex")
+_NUMBERS = (("curvature", "MeshSizeFromCurvature"), ("improve", "OptimizeStd"), ("allowOverlap", "AllowOverlap"))
+_SHOWN_KINDS = ("Face", "Edge", "Vertex")  # what the view can have selected
+_LOCAL_KINDS = ("Solid", *_SHOWN_KINDS)
 
 
 class TaskMesh:
@@ -236,7 +237,7 @@ class TaskMesh:
             self._finish(translated("The mesh object was deleted."))
             return
         self._fill_in(mesh)
-        self._finish(texts.done_text(time.monotonic() - self._started_at))
+        self._finish(texts.done_text(time.monotonic() - self._started_at), fraction=1.0)
         self._show_result()
         show_mesh_instead_of_part(self._obj)
 
@@ -259,11 +260,12 @@ class TaskMesh:
         FreeCADGui.Selection.clearSelection()
         for failure in getattr(error, "failures", ()):
             name = self._tool.name_in_part(failure["entity"])
-            if name.startswith(_LOCAL_KINDS) and self._is_alive():
+            if name.startswith(_SHOWN_KINDS) and self._is_alive():
                 FreeCADGui.Selection.addSelection(self._document_name, self._obj.Part.Name, name)
         show_refusal(in_words_of_panel(error))
 
-    def _finish(self, text):
+    def _finish(self, text, fraction=0.0):
         self.form.setProperty("running", False)
+        self.form.setProperty("fraction", fraction)
         self.form.setProperty("stage", text)
         self._on_options_changed()

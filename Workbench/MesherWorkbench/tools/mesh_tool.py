@@ -6,6 +6,7 @@ import FreeCAD
 
 import mesher
 
+from . import size_words
 from .meshed_shape import meshed_shape
 
 
@@ -16,7 +17,7 @@ class MeshTool:
         self._obj = obj
         shape = meshed_shape(obj)
         self._names = shape.names
-        self._model = mesher.model_of(shape.shape)
+        self._model = mesher.model_of(shape.shape, obj.HealShape)
         self._options = options_of(obj, shape)
 
     def run(self, progress=None):
@@ -57,12 +58,27 @@ def options_of(obj, shape):
         "min_size": obj.CharacteristicLengthMin.Value or None,
         "curvature": float(obj.MeshSizeFromCurvature),
         "sag": obj.SurfaceDeviation.Value,
-        "refinement": obj.Refinement,
+        "refinement": obj.Refinement or None,
         "grading": obj.Grading,
         "improve": obj.OptimizeStd,
         "order": 2 if obj.ElementOrder == "2nd" else 1,
         "threads": obj.Threads,
         "local_sizes": {shape.name_of(name): size for name, size in local_sizes_of(obj).items()},
+        "size_distance": {shape.name_of(name): wish for name, wish in size_words.distances_in(obj.SizeDistances).items()},
+        "size_box": size_words.boxes_in(obj.SizeBoxes),
+        "size_ball": size_words.balls_in(obj.SizeBalls),
+        "size_formula": obj.SizeFormula or None,
+        "size_points": obj.SizePoints or None,
+        "background": obj.BackgroundMesh or None,
+        "measure": obj.QualityMeasure,
+        "threshold": obj.QualityThreshold or None,
+        "min_angle": obj.MinAngle,
+        "max_turn": obj.MaxTurn,
+        "allow_overlap": obj.AllowOverlap,
+        "check": obj.CheckMesh,
+        "max_elements": obj.MaxElements,
+        "max_wall_elements": obj.MaxWallElements,
+        "timeout": obj.Timeout or None,
     }
 
 

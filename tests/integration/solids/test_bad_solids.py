@@ -3,21 +3,12 @@
 
     test_bad_solids.py PROGRAM MODULE-FOLDER MODELS-FOLDER DEMOS-FOLDER [unittest options]
 """
-import json
 import os
 import re
 import subprocess
 import sys
-import tempfile
-import unittest
-from pathlib import Path
 
-PROGRAM, MODULES, MODELS = (Path(word).resolve() for word in sys.argv[1:4])
-if (MODULES / "mesher").is_dir():
-    sys.path.insert(0, str(MODULES))
-    import mesher
-else:
-    mesher = None
+from solid_case import MODELS, PROGRAM, Case, mesher, run_tests
 
 # By model: a pattern for the whole sentence, and what the report names as the entity.
 REFUSED = {
@@ -36,16 +27,7 @@ TOUCHING = ("boxes_face_to_face", "small_box_on_box", "boxes_edge_to_edge", "box
 APART = ("boxes_apart", "pin_loose_in_bore", "glued_boxes")
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def run_mesher(self, model, *arguments):
-        return subprocess.run([PROGRAM, "mesh", model, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
-                              timeout=120, check=False)
-
+class RefusalCase(Case):
     def expect_refusal(self, model, pattern, *arguments):
         """Status 1, a sentence that fits, nothing written over what was there; the report of the run."""
         (self.folder / "m.msh").write_text("precious")
@@ -56,12 +38,12 @@ class Case(unittest.TestCase):
         self.assertRegex(run.stderr, pattern)
         self.assertEqual((self.folder / "m.msh").read_text(), "precious")
         self.assertEqual(sorted(os.listdir(self.folder)), sorted({"m.msh", "r.json", *self.kept}))
-        return json.loads((self.folder / "r.json").read_text())
+        return self.report()
 
     kept = ()
 
 
-class BadSolids(Case):
+class BadSolids(RefusalCase):
     def test_are_refused_by_name(self):
         for name, (pattern, entity) in REFUSED.items():
             with self.subTest(model=name):
@@ -97,13 +79,13 @@ class BadSolids(Case):
                 mesher.mesh(nothing)
 
 
-class SolidsInContact(Case):
+class SolidsInContact(RefusalCase):
     def test_are_meshed_and_told(self):
         for name in TOUCHING:
             with self.subTest(model=name):
                 run = self.run_mesher(MODELS / f"{name}.brep", "--size", 0.3, "--check", "-o", "m.msh", "--report", "r.json")
                 self.assertEqual(run.returncode, 0, run.stderr)
-                told = [w for w in json.loads((self.folder / "r.json").read_text())["warnings"] if "touch" in w]
+                told = [w for w in self.report()["warnings"] if "touch" in w]
                 self.assertEqual(len(told), 1)
                 self.assertRegex(told[0], r"^Solid1 and Solid2 at \(.*\): the solids touch without a common face, .*; .+")
                 self.assertIn("Solid1 and Solid2", run.stderr)
@@ -113,7 +95,7 @@ class SolidsInContact(Case):
             with self.subTest(model=name):
                 run = self.run_mesher(MODELS / f"{name}.brep", "--size", 0.3, "--allow-overlap", "-o", "m.msh", "--report", "r.json")
                 self.assertEqual(run.returncode, 0, run.stderr)
-                report = json.loads((self.folder / "r.json").read_text())
+                report = self.report()
                 self.assertRegex(report["warnings"][0], r"^Solid1 and Solid2 at \(.*\): the solids overlap, and each has a mesh .*; .+")
                 self.assertAlmostEqual(report["mesh"]["volume"] / report["model"]["volume"], 1.0, delta=0.1)
 
@@ -124,7 +106,7 @@ class SolidsInContact(Case):
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
 
 
-class BadFiles(Case):
+class BadFiles(RefusalCase):
     def test_damaged_files(self):
         text = (MODELS / "box_with_hole.brep").read_text()
         curve = re.search(r"(?m)^1 (\S+ \S+ \S+ \S+ \S+ \S+) $", text)
@@ -169,4 +151,4 @@ class BadFiles(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[5:]])
+    run_tests()

@@ -4,34 +4,21 @@ half a file, and never a status that says that all is well.
 
     test_partial_results.py PROGRAM MODULE-FOLDER MODELS-FOLDER DEMOS-FOLDER [unittest options]
 """
-import json
 import os
 import signal
 import subprocess
-import sys
-import tempfile
 import time
-import unittest
-from pathlib import Path
 
-PROGRAM, MODULES, MODELS = (Path(word).resolve() for word in sys.argv[1:4])
-if (MODULES / "mesher").is_dir():
-    sys.path.insert(0, str(MODULES))
-    import mesher
-else:
-    mesher = None
+from solid_case import MODELS, PROGRAM, Case, mesher, run_tests
 
 
-class PartialResults(unittest.TestCase):
+class PartialResults(Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         self.target = self.folder / "m.msh"
 
     def run_mesher(self, model, *arguments):
-        return subprocess.run([PROGRAM, "mesh", MODELS / f"{model}.brep", *map(str, arguments), "-o", "m.msh", "--report", "r.json"],
-                              cwd=self.folder, capture_output=True, text=True, timeout=120, check=False)
+        return super().run_mesher(MODELS / f"{model}.brep", *arguments, "-o", "m.msh", "--report", "r.json")
 
     def count(self, name):
         """Elements by kind, of a file that the check finds no fault in."""
@@ -39,9 +26,6 @@ class PartialResults(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         words = run.stdout.split("\n")[0].replace(",", "").split()
         return dict(zip(words[1::2], map(int, words[0::2])))
-
-    def report(self):
-        return json.loads((self.folder / "r.json").read_text())
 
     def test_surfaces_of_solids_that_overlap(self):
         self.target.write_text("precious")
@@ -101,4 +85,4 @@ class PartialResults(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[5:]])
+    run_tests()

@@ -4,6 +4,7 @@
 #include "brep/analytic/solids.h"
 #include "mesh/classified_mesh_hash.h"
 #include "pipeline/mesh_solids.h"
+#include "support/model_union.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -55,6 +56,24 @@ TEST(ImproveSolids, IsDoneAfterRefinementUnlessSwitchedOff)
                      with.report.anglesBeforeImprovement->least);
     EXPECT_TRUE(json["seconds"].contains("improvement"));
     EXPECT_FALSE(nlohmann::json::parse(toJson(without.report))["quality"].contains("before_improvement"));
+}
+
+/// In a wall that is kept flat nearly all tetrahedra are bad, and none can be helped.
+TEST(ImproveSolids, TellsThatItEndedBeforeAllWereTried)
+{
+    MeshOptions options;
+    options.size = 0.4;
+    options.maxWallElements = 0;
+    RunContext context;
+    const BrepModel shell = test::withHollow(*makeSphere({}, 3.0), *makeSphere({}, 2.97));
+    const MeshOutcome flat = meshSolids(shell, options, nullptr, context);
+    ASSERT_TRUE(flat.mesh);
+    EXPECT_EQ(flat.report.status, MeshReport::Status::Done);
+    EXPECT_EQ(countOf(flat.report, "improvement_cut_short"), 1u);
+    EXPECT_GT(2 * countOf(flat.report, "bad_tets_after_improvement"), flat.mesh->tets.size());
+    EXPECT_EQ(nlohmann::json::parse(toJson(flat.report))["counts"]["improvement_cut_short"], 1);
+    const MeshOutcome sound = meshed(*makeBox({}, {4.0, 4.0, 4.0}), 1.0, true);
+    EXPECT_EQ(countOf(sound.report, "improvement_cut_short"), 0u);
 }
 
 TEST(ImproveSolids, ComesToTheSameMeshTwice)

@@ -2,6 +2,7 @@
 #include "sizing/background_size.h"
 #include "sizing/combined_size.h"
 #include "sizing/shape_sizes.h"
+#include "sizing/surface_size.h"
 #include "sizing/uniform_size.h"
 
 #include "base/random.h"
@@ -50,6 +51,40 @@ TEST(BallSize, isSmallestAtTheNearestPointOfABall)
     EXPECT_DOUBLE_EQ(field.sizeAt({3.0, 0.0, 0.0}), 1.7);
     EXPECT_DOUBLE_EQ(field.smallestNear({3.0, 0.0, 0.0}, 1.0), 0.7);
     EXPECT_DOUBLE_EQ(field.smallestNear({3.0, 0.0, 0.0}, 9.0), 0.2);
+}
+
+TEST(SurfaceSize, agreesWithTheMinimumOverAllTriangles)
+{
+    Random random(11);
+    std::vector<SizedTriangle> triangles;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 a = drawPoint(random);
+        const Vec3 b = a + 0.2 * drawPoint(random);
+        const double size = random.between(0.01, 1.0);
+        triangles.push_back(
+            {{a, b, a + 0.2 * drawPoint(random)}, {size, size, size}, random.between(0.0, 0.1)});
+    }
+    const SurfaceSize field(triangles, 0.5);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 p = drawPoint(random);
+        double smallest = kNoSize;
+        for (const SizedTriangle& triangle : triangles) {
+            // Of one triangle alone there is no tree to pass anything over.
+            smallest = std::min(smallest, SurfaceSize({triangle}, 0.5).sizeAt(p));
+        }
+        EXPECT_EQ(field.sizeAt(p), smallest);
+    }
+}
+
+TEST(SurfaceSize, isLinearOnATriangleAndGrowsBeyondThePlateau)
+{
+    const SizedTriangle triangle = {
+        {{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0}}}, {1.0, 2.0, 3.0}, 0.5};
+    const SurfaceSize field({triangle}, 2.0);
+    EXPECT_DOUBLE_EQ(field.sizeAt({1.0, 1.0, 0.3}), 0.5 * 1.0 + 0.25 * 2.0 + 0.25 * 3.0);
+    EXPECT_DOUBLE_EQ(field.sizeAt({2.0, 0.0, -1.5}), 1.5 + 2.0);
+    EXPECT_DOUBLE_EQ(field.sizeAt({-3.0, 0.0, 0.0}), 1.0 + 2.0 * 2.5);
+    EXPECT_DOUBLE_EQ(field.smallestNear({-3.0, 0.0, 0.0}, 1.0), 1.0 + 2.0 * 1.5);
 }
 
 TEST(AttractorSize, agreesWithTheMinimumOverAllAttractors)
