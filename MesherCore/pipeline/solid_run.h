@@ -43,7 +43,6 @@ private:
     bool findSides();
     bool sample();
     bool boundsVolumes();
-    bool canFillWalls();
     bool tetrahedralizeSample();
     bool refine();
     void improve();
