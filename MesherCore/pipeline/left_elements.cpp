@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,33 @@ std::string warningOf(const ThinWall& wall, std::uint64_t most)
            ", and --max-wall-elements is " + std::to_string(most);
 }
 
+std::string warningOf(const WallRim& rim, std::uint64_t most)
+{
+    std::string faces;
+    constexpr std::size_t kMostNames = 4;
+    for (std::size_t i = 0; i < std::min(rim.faces.size(), kMostNames); ++i)
+        faces += (i == 0 ? "" : ", ") + nameOf(rim.faces[i]);
+    if (rim.faces.size() > kMostNames)
+        faces += " and " + std::to_string(rim.faces.size() - kMostNames) + " more";
+    return "the rim of a wall, " + faces + ", down to " + rounded(rim.width) +
+           " wide, is left with flat triangles: good ones would take about " + rounded(rim.tets) +
+           " tetrahedra, and --max-wall-elements is " + std::to_string(most);
+}
+
+std::string warningOf(const CoarseWall& wall, std::uint64_t most)
+{
+    return "the wall between " + nameOf(wall.face[0]) + " and " + nameOf(wall.face[1]) + ", " +
+           rounded(wall.thickness) + " thick at " + rounded(wall.place.x) + ", " + rounded(wall.place.y) +
+           ", " + rounded(wall.place.z) + ", is up to " + rounded(100.0 * wall.sagShare) +
+           " % off its thickness, by the chords of its facets; --max-wall-elements is " +
+           std::to_string(most);
+}
+
+/// Where more are left coarse than that, a user has to know.
+constexpr double kCoarseEnough = 0.1;
+
+constexpr std::size_t kMostWarnings = 20;
+
 /// Why refinement ended before all was done, and the entities where it spent its work.
 std::string stallWarning(const RefinedVolume& refined)
 {
@@ -99,6 +127,54 @@ std::string stallWarning(const RefinedVolume& refined)
 
 }  // namespace
 
+void tellWalls(const SurfaceSamplingCounts& counts, MeshReport& report)
+{
+    const std::uint64_t most = report.options.maxWallElements;
+    for (std::size_t i = 0; i < std::min(counts.flatRims.size(), kMostWarnings); ++i)
+        report.warnings.push_back(warningOf(counts.flatRims[i], most));
+    std::vector<CoarseWall> coarse = counts.walls.left;
+    std::erase_if(coarse, [](const CoarseWall& wall) { return wall.sagShare < kCoarseEnough; });
+    std::stable_sort(coarse.begin(), coarse.end(),
+                     [](const CoarseWall& a, const CoarseWall& b) { return a.sagShare > b.sagShare; });
+    for (std::size_t i = 0; i < std::min(coarse.size(), kMostWarnings); ++i)
+        report.warnings.push_back(warningOf(coarse[i], most));
+}
+
+void nameFaceOverLimit(const SurfaceMesh& mesh, MeshReport& report)
+{
+    std::map<BrepFaceId, std::size_t> counts;
+    for (const SurfaceFacet& facet : mesh.facets) {
+        if (facet.isAlive()) ++counts[facet.face];
+    }
+    if (counts.empty()) return;
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    Error& error = report.failures.back();
+    error.entity = nameOf(most->first);
+    error.message += " by the triangles on the faces alone, most of them on this one";
+}
+
+void nameWallOverLimit(const RefinedVolume& refined, MeshReport& report)
+{
+    constexpr double kLargePart = 0.25;
+    const auto elements = [](const ThinWall& wall) { return wall.isKept ? wall.facets : wall.tets; };
+    const auto most =
+        std::max_element(refined.walls.begin(), refined.walls.end(),
+                         [&](const ThinWall& a, const ThinWall& b) { return elements(a) < elements(b); });
+    if (most == refined.walls.end() ||
+        elements(*most) < kLargePart * static_cast<double>(report.options.maxElements))
+        return;
+    Error& error = report.failures.back();
+    error.entity =
+        nameOf(EntityRef{2, most->face[0].value}) + " and " + nameOf(EntityRef{2, most->face[1].value});
+    error.point = most->place;
+    error.message = "the wall between them is " + rounded(most->thickness) + " thick, and takes more than " +
+                    std::to_string(report.options.maxElements) + " elements" +
+                    (most->isKept ? " even with flat ones" : "");
+    error.remedy = "choose a larger --size, thicken the wall, mesh it as a shell with --dimension 2, or "
+                   "raise --max-elements";
+}
+
 void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
 {
     for (const LeftPlace3d& place : refined.places) report.left.push_back(elementsOf(place));
@@ -107,7 +183,6 @@ void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
     std::erase_if(kept, [](const ThinWall& wall) { return !wall.isKept; });
     std::stable_sort(kept.begin(), kept.end(),
                      [](const ThinWall& a, const ThinWall& b) { return a.tets > b.tets; });
-    constexpr std::size_t kMostWarnings = 20;
     for (std::size_t i = 0; i < std::min(kept.size(), kMostWarnings); ++i)
         report.warnings.push_back(warningOf(kept[i], report.options.maxWallElements));
     if (kept.size() > kMostWarnings)

@@ -8,12 +8,10 @@
 #include "pipeline/report_steps.h"
 #include "pipeline/stage_counts.h"
 #include "pipeline/stage_watch.h"
-#include "pipeline/wall_estimate.h"
 #include "refinement/refine_volume.h"
 #include "sizing/combined_size.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -24,6 +22,10 @@ namespace {
 /// Tetrahedra that improvement tries, the worst first. An eighth of a mesh is below its target after refinement; where thin walls
 /// and small angles leave far more, most cannot be helped.
 std::uint64_t mostTries(std::size_t tets) { return 3 * static_cast<std::uint64_t>(tets) / 10 + 1000; }
+
+/// Facets that thin walls may have so that, kept flat, they stay well within the tetrahedra that walls may take: a facet has one
+/// or two on it.
+constexpr double kFacetsPerWallElement = 0.25;
 
 double secondsSince(SolidRun::Clock::time_point start)
 {
@@ -48,7 +50,7 @@ const SurfaceMesh* SolidRun::surface() const { return isSampled_ ? &sample_.surf
 
 MeshOutcome SolidRun::meshVolumes()
 {
-    if (isSampled_ && canFillWalls() && tetrahedralizeSample() && refine()) {
+    if (isSampled_ && tetrahedralizeSample() && refine()) {
         const StageWatch watch;
         outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
         watch.addTo(report(), "classification");
@@ -115,15 +117,21 @@ bool SolidRun::sample()
     sampling.facets.maxSag = options_.sag;
     sampling.facets.sizes = sizes_.get();
     sampling.facets.leastCurvatureSize = options_.minSize.value_or(0.0);
+    sampling.walls.sides = &sides_;
+    sampling.walls.maxRimTets = static_cast<double>(options_.maxWallElements);
+    sampling.walls.maxFacets = kFacetsPerWallElement * static_cast<double>(options_.maxWallElements);
     const StageWatch watch;
     Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);
     watch.addTo(report(), "surfaces");
     if (!sampled) return failed(sampled.error());
     sample_ = std::move(sampled).value();
     tellCounts(sample_.counts, report());
+    tellWalls(sample_.counts, report());
     for (const auto& [face, error] : sample_.failures) fail(report(), error);
     if (!sample_.failures.empty()) return false;
-    return mayGoOn(sample_.stopReason);
+    if (mayGoOn(sample_.stopReason)) return true;
+    if (sample_.stopReason == StopReason::ElementLimit) nameFaceOverLimit(sample_.surface->mesh(), report());
+    return false;
 }
 
 /// Facets that intersect bound nothing; which faces they are on is known here.
@@ -131,21 +139,6 @@ bool SolidRun::boundsVolumes()
 {
     for (const Error& error : sample_.counts.certificate.errors) fail(report(), error);
     return sample_.counts.certificate.errors.empty();
-}
-
-bool SolidRun::canFillWalls()
-{
-    const StageWatch watch;
-    const WallEstimate walls = estimateWalls(sample_.surface->mesh(), sides_);
-    watch.addTo(report(), "walls");
-    if (walls.elements <= mostExpectedElements(options_)) return true;
-    std::ostringstream message;
-    message.precision(3);
-    message << "the wall behind it is " << walls.thickness << " thick, and about " << walls.elements
-            << " elements would be needed in walls so thin, more than --max-elements "
-            << options_.maxElements;
-    return failed({ErrorCode::OutOfRange, message.str(), nameOf(walls.face), walls.place,
-                   "thicken the wall, mesh a face of it with --dimension 2, or raise --max-elements"});
 }
 
 bool SolidRun::tetrahedralizeSample()
@@ -187,6 +180,7 @@ bool SolidRun::refine()
     const StopReason reason = refined->stopReason;
     // Tetrahedra that stay bad, beside small angles of the shape for one, are told and do not fail the run.
     tellStop(reason == StopReason::CannotImprove ? StopReason::Done : reason, report());
+    if (reason == StopReason::ElementLimit) nameWallOverLimit(refined.value(), report());
     return report().status != MeshReport::Status::Cancelled;
 }
 

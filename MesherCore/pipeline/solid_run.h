@@ -44,7 +44,6 @@ private:
     bool findFeatures();
     bool sample();
     bool boundsVolumes();
-    bool canFillWalls();
     bool tetrahedralizeSample();
     bool refine();
     void improve();

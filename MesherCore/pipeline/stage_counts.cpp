@@ -20,6 +20,9 @@ void tellCounts(const SurfaceSamplingCounts& counts, MeshReport& report)
     add(report, "sample_vertices", counts.vertices);
     add(report, "sample_facets", counts.facets);
     add(report, "sample_segments", counts.segments);
+    add(report, "flat_rims", counts.flatRims.size());
+    add(report, "rim_facets_left", counts.refinement.leftOnRims);
+    add(report, "wall_facet_splits", counts.walls.facetsSplit);
 }
 
 void tellCounts(const TetrahedralizationCounts& counts, MeshReport& report)

@@ -33,6 +33,16 @@ Result<void> validate(const RefineVolumeOptions& options)
     return {};
 }
 
+std::uint64_t countMeshed(const Triangulation3d& mesh)
+{
+    std::uint64_t count = 0;
+    for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
+        const TetId tet(i);
+        if (mesh.isAlive(tet) && !mesh.isGhostTet(tet) && mesh.region(tet) != kExteriorRegion) ++count;
+    }
+    return count;
+}
+
 }  // namespace
 
 Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedralization,
@@ -42,10 +52,14 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     const Result<void> valid = validate(options);
     if (!valid) return valid.error();
     Budget budget(options.limits, context);
+    // A wall is made good only as far as that leaves the run within its elements.
+    const double room = static_cast<double>(options.limits.maxElements) -
+                        static_cast<double>(countMeshed(tetrahedralization.mesh()));
+    const double maxWallTets = std::clamp(room, 0.0, options.maxWallTets);
     DelaunayRefinement3d refinement =
         refineDelaunay3d(tetrahedralization, splitter,
                          {options.sizing, options.quality, options.boundary, options.floor,
-                          options.maxWallTets, options.allowance},
+                          maxWallTets, options.allowance},
                          budget, context);
     if (context.checkLevel() == CheckLevel::Full) {
         MESHER_INVARIANT(checkRefinement(tetrahedralization, splitter.mesh()).isValid());
@@ -60,10 +74,11 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     result.places = groupLeftTets(tetrahedralization, result.left);
     const Triangulation3d& mesh = tetrahedralization.mesh();
     result.vertices = mesh.vertexCount();
-    for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
-        const TetId tet(i);
-        if (mesh.isAlive(tet) && !mesh.isGhostTet(tet) && mesh.region(tet) != kExteriorRegion) ++result.tets;
-    }
+    result.tets = countMeshed(mesh);
+    // What was more from the start, and had nothing to be refined, has never asked the budget.
+    const bool isEnded =
+        result.stopReason == StopReason::Done || result.stopReason == StopReason::CannotImprove;
+    if (isEnded && result.tets > options.limits.maxElements) result.stopReason = StopReason::ElementLimit;
     result.leftForSmallAngles = static_cast<std::uint64_t>(
         std::count_if(result.left.begin(), result.left.end(),
                       [](const LeftTet3d& t) { return t.reason == LeftReason3d::SmallInputAngle; }));

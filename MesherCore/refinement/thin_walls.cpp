@@ -79,6 +79,7 @@ void ThinWalls::collectSides(const SurfaceMesh& surface)
             sides_.push_back({face, between});
             if (height >= kThin * longestEdge(mesh, face)) continue;
             ThinWall& wall = walls_[between];
+            wall.facets += 1.0;
             wall.tets += kTetsPerSide * area / (height * height);
             if (wall.thickness == 0.0 || height < wall.thickness * t_.scale) {
                 wall.thickness = height / t_.scale;
@@ -118,7 +119,7 @@ std::uint32_t ThinWalls::wallBetween(BrepFaceId a, BrepFaceId b, RegionId region
     const auto found = std::find_if(walls_.begin(), walls_.end(),
                                     [&](const ThinWall& w) { return w.face == face && w.region == region; });
     if (found != walls_.end()) return static_cast<std::uint32_t>(found - walls_.begin());
-    walls_.push_back({face, region, 0.0, 0.0, {}, false});
+    walls_.push_back({face, region, 0.0, 0.0, 0.0, {}, false});
     return static_cast<std::uint32_t>(walls_.size() - 1);
 }
 
@@ -166,7 +167,7 @@ void ThinWalls::markKept(const SurfaceMesh& surface)
 }
 
 /// The facets around each marked vertex that lie on a face of its wall, seen from the wall's region, or on a rim which
-/// is as fine as the wall is thick.
+/// is as fine as the wall is thick; facets of a rim that the surface mesh left flat have the wall's own lot.
 std::vector<std::uint32_t> ThinWalls::countOwnFacets(const std::vector<std::uint32_t>& kept,
                                                      const SurfaceMesh& surface) const
 {

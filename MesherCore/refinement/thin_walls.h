@@ -19,6 +19,7 @@ struct ThinWall
     RegionId region;
     double thickness = 0.0;  ///< least, model units
     double tets = 0.0;       ///< about as many as it takes to fill it with good ones
+    double facets = 0.0;     ///< on its sides, at the start
     Vec3 place;              ///< where it is thinnest, model units
     bool isKept =
         false;  ///< flat tetrahedra are left in it: it would take more than the run may spend on walls

@@ -48,6 +48,7 @@ enum class FacetLeft : std::uint8_t
 {
     No,
     SmallAngle,  ///< its shortest side spans a small angle of the edges between two nodes of one shell
+    Rim,         ///< it is flat, on the rim of a wall that is to have few facets
     Resolution   ///< no vertex was found that would remove it, or not without coming too near to others
 };
 

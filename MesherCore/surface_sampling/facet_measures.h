@@ -81,6 +81,8 @@ struct FacetShape
     unsigned shortest = 0;
     unsigned longest = 0;
 
+    [[nodiscard]] double longestSquared() const { return squaredSide[longest]; }
+
     /// Circumradius by shortest edge: 1 / (2 sin of the smallest angle).
     [[nodiscard]] double squaredRatio() const { return squaredRadius / squaredSide[shortest]; }
 
@@ -99,5 +101,17 @@ struct FacetShape
         return shape;
     }
 };
+
+/// Height over longest side below which a facet is flat: above, it takes few more to make it good.
+inline constexpr double kFlatFacet = 0.25;
+
+[[nodiscard]] inline bool isFlatFacet(const FaceMesh& mesh, TriangleId t)
+{
+    const auto& v = mesh.triangle(t).v;
+    const Vec3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]);
+    const double squaredLongest =
+        std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+    return length(cross(b - a, c - a)) < kFlatFacet * squaredLongest;
+}
 
 }  // namespace mesher

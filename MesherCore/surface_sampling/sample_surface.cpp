@@ -124,6 +124,11 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     if (initial.stopReason != StopReason::Done) {
         counts.rounds.stopReason = initial.stopReason;
     } else {
+        if (options.walls.sides != nullptr)
+            counts.flatRims = findFlatRims(*faces, *options.walls.sides, options.walls.maxRimTets);
+        for (const WallRim& rim : counts.flatRims) {
+            for (const BrepFaceId f : rim.faces) faces->face(f)->refiner.leaveFlat();
+        }
         counts.rounds = faces->refine(limitsNow(), options.maxRounds, context);
     }
     sample.failures = faces->failures();
@@ -131,6 +136,13 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     sample.stopReason = counts.rounds.stopReason;
     sample.surface = std::make_unique<SampledSurface>(std::move(faces));
     sample.seconds.refinement = secondsSince(start);
+
+    start = Clock::now();
+    if (sample.stopReason == StopReason::Done && sample.failures.empty()) {
+        counts.walls = refineWalls(*sample.surface, options.walls, limitsNow(), context);
+        sample.stopReason = counts.walls.refinement.stopReason;
+    }
+    sample.seconds.walls = secondsSince(start);
 
     start = Clock::now();
     if (options.maxCertificateRounds >= 0 && sample.stopReason == StopReason::Done) {

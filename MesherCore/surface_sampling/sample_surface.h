@@ -11,6 +11,8 @@
 #include "surface_sampling/initial_face_mesh.h"
 #include "surface_sampling/sampled_surface.h"
 #include "surface_sampling/surface_refinement.h"
+#include "surface_sampling/wall_refinement.h"
+#include "surface_sampling/wall_rims.h"
 
 #include <cstddef>
 #include <memory>
@@ -29,6 +31,7 @@ struct SurfaceSamplingOptions
     /// Neither angles nor encroachment make edges shorter than this, model units; 0 for a 20,000th of the model's diagonal, or
     /// a 20th of the largest size if that is less. Never below ten times the tolerance of the face or edge.
     double minSize = 0.0;
+    WallRefinementOptions walls;
     /// For the model as a whole; faces are stopped when one of them alone, or all together, have so many vertices.
     BudgetLimits limits{.maxVertices = 20'000'000, .maxTime = {}};
     /// Rounds in which faces wait for each other's splits of segments.
@@ -48,6 +51,8 @@ struct SurfaceSamplingCounts
     std::size_t unprotectedAngles = 0;
     SamplingRounds rounds;
     FaceRefinementCounts refinement;
+    std::vector<WallRim> flatRims;
+    WallRefinement walls;
     SurfaceCertificate certificate;
 };
 
@@ -57,6 +62,7 @@ struct SurfaceSamplingTimes
     double curves = 0.0;
     double initial = 0.0;
     double refinement = 0.0;
+    double walls = 0.0;
     double certificate = 0.0;
 };
 
@@ -70,8 +76,8 @@ struct SurfaceSample
     std::vector<std::pair<BrepFaceId, Error>> failures;
 };
 
-/// Samples the curves and faces of a model: chains, first meshes, refinement for size and quality, and the certificate that
-/// facets do not intersect, whose errors are in the counts.
+/// Samples the curves and faces of a model: chains, first meshes, refinement for size and quality, then for thin walls, and the
+/// certificate that facets do not intersect, whose errors are in the counts.
 /// Guarantees   a surface mesh as mesh/surface_mesh.h says, of all faces that did not fail (surface_check.h verifies it); with
 ///              StopReason::Done each facet is as asked, but for those counted as left; the same for any number of threads
 /// Refuses      options out of range, and what curve_chains.h refuses

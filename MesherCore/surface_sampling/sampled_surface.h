@@ -28,6 +28,7 @@ public:
     std::array<FacetId, 2> swap(FacetId first, FacetId second) override;
 
     [[nodiscard]] SampledFaces& faces() { return *faces_; }
+    [[nodiscard]] const SampledFaces& faces() const { return *faces_; }
     /// Where the facet is in its face's own mesh.
     [[nodiscard]] TriangleId triangleOf(FacetId facet) const { return triangleOf_[facet]; }
     /// Numbers nodes and facets again after the faces were refined: all ids of facets and of nodes inside of faces change.

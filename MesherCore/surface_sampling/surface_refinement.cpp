@@ -30,6 +30,7 @@ FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCount
     deferred += other.deferred;
     leftAtSmallAngles += other.leftAtSmallAngles;
     leftForResolution += other.leftForResolution;
+    leftOnRims += other.leftOnRims;
     return *this;
 }
 
@@ -58,6 +59,7 @@ FaceRefinementCounts FaceRefiner::counts() const
         const FaceTriangle& record = mesh_.triangle(TriangleId(i));
         if (!record.isAlive) continue;
         counts.leftAtSmallAngles += record.left == FacetLeft::SmallAngle ? 1 : 0;
+        counts.leftOnRims += record.left == FacetLeft::Rim ? 1 : 0;
         counts.leftForResolution += record.left == FacetLeft::Resolution ? 1 : 0;
     }
     return counts;
@@ -136,6 +138,8 @@ void FaceRefiner::proposeIfEncroached(EdgeLink side)
 {
     const SegmentId segment = mesh_.segment(side);
     if (!segment.isValid()) return;
+    // Across a strip each segment that is longer than the strip is wide has the other side's nodes in its ball.
+    if (leavesFlat_ && !mesh_.vertex(mesh_.apex(side)).isFree) return;
     const Vec3& p = mesh_.position(mesh_.apex(side));
     const Vec3 &a = mesh_.position(mesh_.from(side)), &b = mesh_.position(mesh_.to(side));
     if (!splitter_.encroaches(p, a, b)) return;
@@ -210,6 +214,10 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
     const FaceTriangle& record = mesh_.triangle(t);
     const FacetShape shape =
         FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
+    if (leavesFlat_ && !record.isForced && isFlatFacet(mesh_, t)) {
+        mesh_.triangle(t).left = FacetLeft::Rim;
+        return;
+    }
     const bool isLocked = isAtSmallAngle(record, shape);
     if (isLocked && !record.isForced) {
         mesh_.triangle(t).left = FacetLeft::SmallAngle;
@@ -240,7 +248,8 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
             if (need == FacetNeed::Quality && boundary_.isAtApex(segment)) {
                 isAtApex = true;
             } else {
-                isProposed = propose(segment) || isProposed;
+                const bool mayPropose = !leavesFlat_ || need == FacetNeed::Size;
+                isProposed = (mayPropose && propose(segment)) || isProposed;
             }
         }
     }

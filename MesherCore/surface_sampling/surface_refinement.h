@@ -49,6 +49,7 @@ struct FaceRefinementCounts
     std::size_t deferred = 0;      ///< facets that waited for segments to be split
     std::size_t leftAtSmallAngles = 0;  ///< facets, see FacetLeft
     std::size_t leftForResolution = 0;  ///< facets
+    std::size_t leftOnRims = 0;         ///< facets, see FaceRefiner::leaveFlat
     FacetSplitCounts splits;
 
     FaceRefinementCounts& operator+=(const FaceRefinementCounts& other);
@@ -96,6 +97,8 @@ public:
     /// Has a facet split when refinement goes on, whatever its shape.
     void force(TriangleId t);
     void queueAll();
+    /// The face is a strip around a wall, on which flat facets are left as they are: neither these nor quality split segments.
+    void leaveFlat() { leavesFlat_ = true; }
     /// Those that were given up, since what is around them has changed. False if there are none that are new.
     bool queueGivenUp();
 
@@ -143,6 +146,7 @@ private:
     std::size_t boundVertices_ = 0;  ///< in `verticesOf_`
     FaceRefinementCounts counts_;
     bool hasGivenUp_ = false;
+    bool leavesFlat_ = false;
     bool isTryingAgain_ = false;  ///< what was given up is tried by other means as well
 };
 

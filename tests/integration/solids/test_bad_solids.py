@@ -19,7 +19,6 @@ REFUSED = {
     "without_height": (r"Face1 and Face2 at \(.*\): .+; .+", "Face1 and Face2"),
     "absurdly_small": (r"1\.73e-06 mm across, and sizes from 1e-05 to 1e\+09 can be meshed; scale the model", "model"),
     "absurdly_large": (r"1\.73e\+60 mm across, .*; scale the model", "model"),
-    "thin_plate": (r"Face[56] at \(.*\): the wall behind it is 0\.001 thick, and about .*; thicken the wall", "Face[56]"),
     **{name: (r"Solid1 and Solid2 at \(.*\): the solids overlap; cut one from the other or fuse them", "Solid1 and Solid2")
        for name in ("crossing_boxes", "same_box_twice", "ball_in_box", "box_in_box_on_floor", "bar_through_box")},
 }
@@ -64,6 +63,13 @@ class BadSolids(RefusalCase):
             self.assertRegex(failure["entity"], f"^{entity}$")
             self.assertRegex(f"{failure['entity']}: {failure['reason']}; {failure['remedy']}", pattern.replace(r" at \(.*\):", ".*:"))
             self.assertEqual(r" at \(" in pattern, failure["point"] is not None)
+
+    def test_thin_wall_is_meshed_flat_or_refused_by_name(self):
+        run = self.run_mesher(MODELS / "thin_plate.brep", "--size", 1, "--check", "-o", "m.msh")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("the wall between Face5 and Face6, down to 0.001 thick, is left with flat tetrahedra", run.stderr)
+        self.expect_refusal(MODELS / "thin_plate.brep", r"Face[56].*: .*150 elements.*; choose a larger --size", "--size", 1,
+                            "--max-elements", 150)
 
     def test_open_shells_are_meshed_as_faces(self):
         for name in ("without_lid", "shell_only"):

@@ -11,10 +11,14 @@
 namespace mesher {
 namespace {
 
-MeshOutcome meshPlate(std::uint64_t maxWallElements)
+constexpr std::uint64_t kNoLimit = 50'000'000;
+
+MeshOutcome meshPlate(std::uint64_t maxWallElements, double thickness = 0.04,
+                      std::uint64_t maxElements = kNoLimit)
 {
-    const Result<BrepModel> plate = makeBox({0.0, 0.0, 0.0}, {4.0, 4.0, 0.04});
+    const Result<BrepModel> plate = makeBox({0.0, 0.0, 0.0}, {4.0, 4.0, thickness});
     MeshOptions options;
+    options.maxElements = maxElements;
     options.size = 0.5;
     options.isImproved = false;
     options.maxWallElements = maxWallElements;
@@ -24,7 +28,7 @@ MeshOutcome meshPlate(std::uint64_t maxWallElements)
 
 TEST(LeftElements, TellAWallThatIsKeptFlat)
 {
-    const MeshOutcome outcome = meshPlate(1000);
+    const MeshOutcome outcome = meshPlate(20'000);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Done);
     ASSERT_TRUE(outcome.mesh.has_value());
     ASSERT_EQ(outcome.report.warnings.size(), 1u);
@@ -43,6 +47,39 @@ TEST(LeftElements, FillAWallWithGoodTetrahedraWhereTheyMayBeAsMany)
     ASSERT_TRUE(outcome.report.tetQuality.has_value());
     EXPECT_GE(outcome.report.tetQuality->dihedral.least(), 18.0);
     EXPECT_LE(outcome.report.tetQuality->dihedral.largest(), 155.1);
+}
+
+TEST(LeftElements, TellARimThatIsKeptFlatWhereGoodFacetsWouldTakeFarMoreThanTheWall)
+{
+    const MeshOutcome outcome = meshPlate(100'000, 0.001);
+    EXPECT_EQ(outcome.report.status, MeshReport::Status::Done);
+    ASSERT_TRUE(outcome.mesh.has_value());
+    EXPECT_LT(outcome.mesh->tets.size(), 5000u);
+    ASSERT_EQ(outcome.report.warnings.size(), 2u);
+    EXPECT_NE(outcome.report.warnings.front().find(
+                  "the rim of a wall, Face1, Face2, Face3, Face4, down to 0.001 wide, is left with flat"),
+              std::string::npos)
+        << outcome.report.warnings.front();
+    EXPECT_NE(outcome.report.warnings.back().find("the wall between Face5 and Face6"), std::string::npos);
+}
+
+TEST(LeftElements, NameTheWallThatTakesMoreThanTheLimitEvenWithFlatOnes)
+{
+    const MeshOutcome whole = meshPlate(100'000, 0.001);
+    const std::uint64_t most = whole.mesh->tets.size() - whole.mesh->tets.size() / 20;
+    const MeshOutcome outcome = meshPlate(100'000, 0.001, most);
+    EXPECT_EQ(outcome.report.status, MeshReport::Status::Failed);
+    ASSERT_EQ(outcome.report.failures.size(), 1u);
+    EXPECT_EQ(outcome.report.failures.front().entity, "Face5 and Face6");
+    EXPECT_NE(outcome.report.failures.front().message.find("even with flat ones"), std::string::npos)
+        << outcome.report.failures.front().message;
+}
+
+TEST(LeftElements, NameTheFaceWhoseTrianglesReachTheLimit)
+{
+    const MeshOutcome outcome = meshPlate(100'000, 0.04, 120);
+    ASSERT_EQ(outcome.report.failures.size(), 1u);
+    EXPECT_EQ(outcome.report.failures.front().entity.substr(0, 4), "Face");
 }
 
 }  // namespace
