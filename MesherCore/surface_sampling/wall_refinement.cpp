@@ -14,16 +14,16 @@ constexpr double kMeanEdge = 0.7;
 constexpr double kEquilateral = 0.433;
 
 /// The edge at which a facet is fine enough.
-double wantedEdge(const CoarseFacet& facet, double share, double leastEdges)
+double wantedEdge(const CoarseWallFacet& facet, double share, double leastEdges)
 {
     return std::max(std::sqrt(8.0 * facet.radius * share * facet.thickness), leastEdges * facet.thickness);
 }
 
 /// Facets that it takes to make all of these fine enough.
-double facetsFor(const std::vector<CoarseFacet>& coarse, double share, double leastEdges)
+double facetsFor(const std::vector<CoarseWallFacet>& coarse, double share, double leastEdges)
 {
     double count = 0.0;
-    for (const CoarseFacet& facet : coarse) {
+    for (const CoarseWallFacet& facet : coarse) {
         const double edge = kMeanEdge * std::min(wantedEdge(facet, share, leastEdges), facet.longest);
         count += std::max(1.0, facet.area / (kEquilateral * edge * edge));
     }
@@ -41,7 +41,7 @@ std::size_t facetCount(const SampledFaces& faces)
 }
 
 /// The least share, from the one asked for, that the facets suffice for.
-double affordableShare(const std::vector<CoarseFacet>& coarse, const SampledFaces& faces,
+double affordableShare(const std::vector<CoarseWallFacet>& coarse, const SampledFaces& faces,
                        const WallRefinementOptions& options)
 {
     constexpr double kStep = 1.25;
@@ -54,10 +54,10 @@ double affordableShare(const std::vector<CoarseFacet>& coarse, const SampledFace
 }
 
 /// One for each pair of faces, with the worst of its facets.
-std::vector<CoarseWall> wallsOf(const std::vector<CoarseFacet>& coarse, const SampledFaces& faces)
+std::vector<CoarseWall> wallsOf(const std::vector<CoarseWallFacet>& coarse, const SampledFaces& faces)
 {
     std::vector<CoarseWall> walls;
-    for (const CoarseFacet& facet : coarse) {
+    for (const CoarseWallFacet& facet : coarse) {
         const std::array<BrepFaceId, 2> pair{std::min(facet.face, facet.across),
                                              std::max(facet.face, facet.across)};
         auto wall =
@@ -79,19 +79,19 @@ WallRefinement refineWalls(SampledSurface& surface, const WallRefinementOptions&
     WallRefinement result;
     if (options.sides == nullptr) return result;
     const TimeLeft time(limits.maxTime);
-    std::vector<CoarseFacet> coarse =
+    std::vector<CoarseWallFacet> coarse =
         WallThickness(surface, *options.sides).coarseFacets(options.maxSagShare, options.leastEdges);
     if (!coarse.empty()) result.sagShare = affordableShare(coarse, surface.faces(), options);
     while (!coarse.empty()) {
-        const auto isFine = [&](const CoarseFacet& facet) {
+        const auto isFine = [&](const CoarseWallFacet& facet) {
             return facet.longest <= wantedEdge(facet, result.sagShare, options.leastEdges);
         };
-        std::vector<CoarseFacet> split = coarse;
+        std::vector<CoarseWallFacet> split = coarse;
         std::erase_if(split, isFine);
         if (split.empty() || result.rounds >= kMostRounds) break;
         ++result.rounds;
         result.facetsSplit += split.size();
-        for (const CoarseFacet& facet : split) surface.faces().force(facet.face, facet.triangle);
+        for (const CoarseWallFacet& facet : split) surface.faces().force(facet.face, facet.triangle);
         BudgetLimits left = limits;
         left.maxTime = time.now();
         const SamplingRounds rounds = surface.faces().refine(left, kRoundsOfRefinement, context);

@@ -96,9 +96,9 @@ WallThickness::WallThickness(const SampledSurface& surface, const RegionSides& s
 {
 }
 
-std::vector<CoarseFacet> WallThickness::coarseFacets(double share, double leastEdges) const
+std::vector<CoarseWallFacet> WallThickness::coarseFacets(double share, double leastEdges) const
 {
-    std::vector<CoarseFacet> coarse;
+    std::vector<CoarseWallFacet> coarse;
     for (std::uint32_t f = 0; f < sides_.size(); ++f) {
         const SampledFace* face = surface_.faces().face(BrepFaceId(f));
         if (face == nullptr || face->geometry.isPlane()) continue;
@@ -125,7 +125,7 @@ std::vector<double> WallThickness::reachesIn(BrepFaceId f, double share, double 
 }
 
 void WallThickness::addCoarse(BrepFaceId f, std::size_t side, double share, double leastEdges,
-                              std::vector<CoarseFacet>& coarse) const
+                              std::vector<CoarseWallFacet>& coarse) const
 {
     const FaceMesh& mesh = surface_.faces().face(f)->mesh;
     const std::vector<double> reach = reachesIn(f, share, leastEdges);

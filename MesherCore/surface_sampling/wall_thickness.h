@@ -11,7 +11,7 @@
 namespace mesher {
 
 /// A facet that is coarse for the wall behind it.
-struct CoarseFacet
+struct CoarseWallFacet
 {
     BrepFaceId face;
     TriangleId triangle;
@@ -36,7 +36,7 @@ public:
 
     /// Facets whose sag is more than `share` of the thickness behind them and whose edges are longer than `leastEdges` times
     /// that, by face and triangle.
-    [[nodiscard]] std::vector<CoarseFacet> coarseFacets(double share, double leastEdges) const;
+    [[nodiscard]] std::vector<CoarseWallFacet> coarseFacets(double share, double leastEdges) const;
 
 private:
     /// What is behind a vertex on one side of its face.
@@ -48,7 +48,7 @@ private:
 
     [[nodiscard]] std::vector<double> reachesIn(BrepFaceId f, double share, double leastEdges) const;
     void addCoarse(BrepFaceId f, std::size_t side, double share, double leastEdges,
-                   std::vector<CoarseFacet>& coarse) const;
+                   std::vector<CoarseWallFacet>& coarse) const;
     [[nodiscard]] Wall wallBehind(BrepFaceId f, VertexId v, std::size_t side, double reach) const;
     [[nodiscard]] std::vector<FacetId> facetsNear(const Vec3& from, const Vec3& to) const;
 
