@@ -141,17 +141,69 @@ SurfaceGrid::SurfaceGrid(const Surface& surface, Interval windowU, Interval wind
     for (const double u : u_) {
         for (const double v : v_) points_.push_back(surface.position({u, v}));
     }
+    findPoles();
+}
+
+void SurfaceGrid::findPoles()
+{
+    // Poles of files have an extent of their tolerance.
+    constexpr double kShort = 1e-3;
+    std::vector<double> alongV(u_.size(), 0.0), alongU(v_.size(), 0.0);
+    for (std::size_t i = 0; i < u_.size(); ++i) {
+        for (std::size_t j = 0; j < v_.size(); ++j) {
+            if (j > 0) alongV[i] += length(points_[index(i, j)] - points_[index(i, j - 1)]);
+            if (i > 0) alongU[j] += length(points_[index(i, j)] - points_[index(i - 1, j)]);
+        }
+    }
+    const auto shortOnes = [](const std::vector<double>& lengths) {
+        const double longest = *std::max_element(lengths.begin(), lengths.end());
+        std::vector<char> are(lengths.size(), 0);
+        for (std::size_t k = 0; k < lengths.size(); ++k) are[k] = lengths[k] < kShort * longest ? 1 : 0;
+        return are;
+    };
+    isPoleOfU_ = shortOnes(alongV);
+    isPoleOfV_ = shortOnes(alongU);
+}
+
+bool SurfaceGrid::isAtPole(std::size_t i, std::size_t j) const
+{
+    return isPoleOfU_[i] != 0 || isPoleOfV_[j] != 0;
 }
 
 bool SurfaceGrid::isLocalMinimum(const std::vector<double>& distances, std::size_t i, std::size_t j) const
 {
-    const double here = distances[i * v_.size() + j];
+    const double here = distances[index(i, j)];
     for (std::size_t a = i > 0 ? i - 1 : 0; a <= std::min(i + 1, u_.size() - 1); ++a) {
         for (std::size_t b = j > 0 ? j - 1 : 0; b <= std::min(j + 1, v_.size() - 1); ++b) {
-            if (distances[a * v_.size() + b] < here) return false;
+            if (!isAtPole(a, b) && distances[index(a, b)] < here) return false;
         }
     }
     return true;
+}
+
+std::vector<std::size_t> SurfaceGrid::seedsOf(const std::vector<double>& distances) const
+{
+    std::vector<std::size_t> seeds;
+    const auto isNearer = [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; };
+    for (std::size_t i = 0; i < u_.size(); ++i) {
+        if (isPoleOfU_[i] == 0) continue;
+        std::size_t best = index(i, 0);
+        for (std::size_t j = 1; j < v_.size(); ++j) best = std::min(best, index(i, j), isNearer);
+        seeds.push_back(best);
+    }
+    for (std::size_t j = 0; j < v_.size(); ++j) {
+        if (isPoleOfV_[j] == 0) continue;
+        std::size_t best = index(0, j);
+        for (std::size_t i = 1; i < u_.size(); ++i) best = std::min(best, index(i, j), isNearer);
+        seeds.push_back(best);
+    }
+    for (std::size_t i = 0; i < u_.size(); ++i) {
+        for (std::size_t j = 0; j < v_.size(); ++j) {
+            if (!isAtPole(i, j) && isLocalMinimum(distances, i, j)) seeds.push_back(index(i, j));
+        }
+    }
+    std::stable_sort(seeds.begin(), seeds.end(), isNearer);
+    return seeds;
 }
 
 SurfaceProjection SurfaceGrid::project(const Surface& surface, const Vec3& point) const
@@ -159,14 +211,7 @@ SurfaceProjection SurfaceGrid::project(const Surface& surface, const Vec3& point
     constexpr std::size_t kMostSeeds = 12;
     std::vector<double> distances(points_.size());
     for (std::size_t k = 0; k < points_.size(); ++k) distances[k] = length(points_[k] - point);
-    std::vector<std::size_t> seeds;
-    for (std::size_t i = 0; i < u_.size(); ++i) {
-        for (std::size_t j = 0; j < v_.size(); ++j) {
-            if (isLocalMinimum(distances, i, j)) seeds.push_back(i * v_.size() + j);
-        }
-    }
-    std::stable_sort(seeds.begin(), seeds.end(),
-                     [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+    std::vector<std::size_t> seeds = seedsOf(distances);
     seeds.resize(std::min(seeds.size(), kMostSeeds));
     SurfaceProjection best;
     best.distance = std::numeric_limits<double>::infinity();

@@ -18,7 +18,9 @@ namespace mesher {
 [[nodiscard]] SurfaceProjection projectFromSeed(const Surface& surface, const Vec3& point, Vec2 seed,
                                                 Interval windowU, Interval windowV);
 
-/// Points of a surface over a window of its parameters, dense enough to seed a search for the closest point.
+/// Points of a surface over a window of its parameters, dense enough to seed a search for the closest point. A line of it that is
+/// one place of the surface, a pole, is one point of the search: all of its points are as near as one another, and from most of
+/// them no step leads on.
 class SurfaceGrid
 {
 public:
@@ -29,12 +31,19 @@ public:
     [[nodiscard]] SurfaceProjection project(const Surface& surface, const Vec3& point) const;
 
 private:
+    [[nodiscard]] std::size_t index(std::size_t i, std::size_t j) const { return i * v_.size() + j; }
+    void findPoles();
+    [[nodiscard]] bool isAtPole(std::size_t i, std::size_t j) const;
     [[nodiscard]] bool isLocalMinimum(const std::vector<double>& distances, std::size_t i,
                                       std::size_t j) const;
+    /// The nearest point of each pole, and the local minima elsewhere.
+    [[nodiscard]] std::vector<std::size_t> seedsOf(const std::vector<double>& distances) const;
 
     std::vector<double> u_;
     std::vector<double> v_;
-    std::vector<Vec3> points_;  ///< by u, then v
+    std::vector<Vec3> points_;     ///< by u, then v
+    std::vector<char> isPoleOfU_;  ///< by line of u: whether all of its points are at one place
+    std::vector<char> isPoleOfV_;
 };
 
 /// How a surface without a closed form finds closest points: from a seed, or from two grids, made at the first search without
