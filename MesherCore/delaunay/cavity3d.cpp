@@ -120,7 +120,8 @@ void CavityOperator3d::collectConflicts(const Vec3& point, std::size_t most, con
             TetState& state = states[other.value];
             if ((state.flags & tet_flag::kInCavity) != 0) continue;
             const bool isInside = isInConflict(other, point, filter);
-            if (isInside && tets.size() < most) {
+            // What of the hull is visible goes as a whole, or the hull would not stay convex.
+            if (isInside && (tets.size() < most || mesh_.isGhostTet(other))) {
                 state.flags |= tet_flag::kInCavity;
                 tets.push_back(other);
                 prefetchAround(other);
