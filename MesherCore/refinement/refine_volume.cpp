@@ -56,11 +56,10 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     const double room = static_cast<double>(options.limits.maxElements) -
                         static_cast<double>(countMeshed(tetrahedralization.mesh()));
     const double maxWallTets = std::clamp(room, 0.0, options.maxWallTets);
-    DelaunayRefinement3d refinement =
-        refineDelaunay3d(tetrahedralization, splitter,
-                         {options.sizing, options.quality, options.boundary, options.floor,
-                          maxWallTets, options.allowance},
-                         budget, context);
+    DelaunayRefinement3d refinement = refineDelaunay3d(
+        tetrahedralization, splitter,
+        {options.sizing, options.quality, options.boundary, options.floor, maxWallTets, options.allowance},
+        budget, context);
     if (context.checkLevel() == CheckLevel::Full) {
         MESHER_INVARIANT(checkRefinement(tetrahedralization, splitter.mesh()).isValid());
     }
