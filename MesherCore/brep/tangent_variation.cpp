@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace mesher {
@@ -137,10 +138,27 @@ double TangentVariation::equalSplit(double t0, double t1) const
     const double total = variation(t0, t1);
     if (table_.cells.empty() || total <= kStraight) return parameterAtLengthFraction(t0, t1, 0.5);
     double split = parameterAtVariation(t0, 0.5 * total);
-    const bool isCorner = std::any_of(table_.corners.begin(), table_.corners.end(),
-                                      [&](const CurveCorner& corner) { return corner.parameter == split; });
-    if (!isCorner) split = middleOfStraightPiece(split, {t0, t1});
+    if (!isCorner(split)) split = middleOfStraightPiece(split, {t0, t1});
     return strictlyInside(split, t0, t1);
+}
+
+double TangentVariation::balancedSplit(double t0, double t1) const
+{
+    constexpr double kLeastShare = 0.125;
+    constexpr double kHardlyTurning = 2.0 * std::numbers::pi / 180.0;
+    const double split = equalSplit(t0, t1);
+    if (isCorner(split) || variation(t0, t1) > kHardlyTurning) return split;
+    const double share = arcLength(t0, split) / arcLength(t0, t1);
+    if (share < kLeastShare) return strictlyInside(parameterAtLengthFraction(t0, t1, kLeastShare), t0, t1);
+    if (share > 1.0 - kLeastShare)
+        return strictlyInside(parameterAtLengthFraction(t0, t1, 1.0 - kLeastShare), t0, t1);
+    return split;
+}
+
+bool TangentVariation::isCorner(double t) const
+{
+    return std::any_of(table_.corners.begin(), table_.corners.end(),
+                       [t](const CurveCorner& corner) { return corner.parameter == t; });
 }
 
 double TangentVariation::parameterAtLengthFraction(double t0, double t1, double fraction) const

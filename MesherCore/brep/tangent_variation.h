@@ -55,6 +55,10 @@ public:
     /// Halves the variation of [t0, t1]: at a corner if that carries the middle, in the middle of a straight piece if that
     /// joins two equal halves, by arc length if all is straight.
     [[nodiscard]] double equalSplit(double t0, double t1) const;
+    /// The same where the part turns by more than 2 degrees; else no half is shorter than an eighth of the whole, unless it is at
+    /// a corner. Equal splits of a piece that turns at its one end and is straight beyond run to the end of the turn without ever
+    /// coming past it.
+    [[nodiscard]] double balancedSplit(double t0, double t1) const;
     [[nodiscard]] double parameterAtLengthFraction(double t0, double t1, double fraction) const;
 
     /// The first t, going from that end of [t0, t1], with |C(t) - apex| = radius.
@@ -69,6 +73,7 @@ private:
     [[nodiscard]] double jumpsInside(double t0, double t1) const;
     [[nodiscard]] double parameterAtSmoothVariation(double target) const;
     [[nodiscard]] double parameterAtLength(double target) const;
+    [[nodiscard]] bool isCorner(double t) const;
     [[nodiscard]] double middleOfStraightPiece(double t, Interval span) const;
     [[nodiscard]] std::vector<double> stations(Interval span) const;
 

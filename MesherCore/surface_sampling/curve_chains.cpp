@@ -49,7 +49,7 @@ std::optional<SegmentPlace> CurveChains::equalVariationPlace(SegmentId s) const
 {
     const SurfaceSegment& segment = segments_[s];
     const auto [t0, t1] = segment.parameter;
-    return placeAt(s, variations_[segment.edge]->equalSplit(t0, t1));
+    return placeAt(s, variations_[segment.edge]->balancedSplit(t0, t1));
 }
 
 std::optional<SegmentPlace> CurveChains::shellPlace(SegmentId s, CurveEnd nearEnd, AngleComplexId complex,

@@ -91,7 +91,8 @@ public:
 
     /// \name Splits
     ///@{
-    /// On the next smaller shell beside a small angle, else at equal total variation (equal arc length where all is straight).
+    /// On the next smaller shell beside a small angle, else at equal total variation (equal arc length where all is straight,
+    /// and not too near to an end where nearly all is).
     /// Nothing if a half would be shorter than the floor.
     [[nodiscard]] std::optional<SegmentPlace> splitPlace(SegmentId s) const;
     /// Requires an alive segment and a place that `splitPlace` gave for it, or one strictly inside of it.

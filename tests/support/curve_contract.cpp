@@ -149,6 +149,11 @@ private:
         const double jump = total - left - right;
         if (std::abs(left - right) > jump + 1e-8 * (1.0 + total))
             complain("a split halves ", total, " into ", left, " and ", right);
+        const double balanced = turning_.balancedSplit(a, b);
+        if (!(a < balanced && balanced < b)) return complain("a balanced split is not inside of its span");
+        const double shorter = std::min(turning_.arcLength(a, balanced), turning_.arcLength(balanced, b));
+        if (jump <= 1e-8 * (1.0 + total) && total < 0.03 && shorter < 0.124 * turning_.arcLength(a, b))
+            complain("a balanced split leaves a half of ", shorter);
         if (total > 0.0) return;
         const double leftLength = turning_.arcLength(a, m), rightLength = turning_.arcLength(m, b);
         const double ulp =

@@ -121,6 +121,28 @@ TEST(TangentVariation, SplitsAStraightPieceBetweenEqualTurnsInItsMiddle)
     EXPECT_NEAR(turning.parameterAtLengthFraction(0.0, 6.0, 0.5), 3.0, 1e-10);
 }
 
+TEST(TangentVariation, SplitsBalancedWhereThereIsHardlyATurnBesideAStraightPiece)
+{
+    const TangentVariation turning(arcLineArc(), {0.0, 6.0});
+    // The line is [1, 5]. Nothing is moved that is balanced as it is.
+    EXPECT_EQ(turning.balancedSplit(0.0, 6.0), turning.equalSplit(0.0, 6.0));
+    EXPECT_EQ(turning.balancedSplit(0.2, 0.8), turning.equalSplit(0.2, 0.8));
+    EXPECT_EQ(turning.balancedSplit(0.9, 5.0), turning.equalSplit(0.9, 5.0));
+    EXPECT_LT(turning.equalSplit(0.99, 5.0), 1.0);
+    const double split = turning.balancedSplit(0.99, 5.0);
+    EXPECT_NEAR(turning.arcLength(0.99, split), 0.125 * turning.arcLength(0.99, 5.0), 1e-9);
+    const double mirrored = turning.balancedSplit(1.0, 5.01);
+    EXPECT_NEAR(turning.arcLength(mirrored, 5.01), 0.125 * turning.arcLength(1.0, 5.01), 1e-9);
+}
+
+TEST(TangentVariation, SplitsAtACornerHoweverNearAnEnd)
+{
+    const auto polyline =
+        spline({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}}, 1, {0.0, 0.0, 1.0, 2.0, 2.0});
+    const TangentVariation turning(polyline, {0.0, 2.0});
+    EXPECT_EQ(turning.balancedSplit(0.99, 2.0), 1.0);
+}
+
 TEST(TangentVariation, OfAHelixIsThatOfSpaceCurves)
 {
     struct Helix final : Curve

@@ -1,5 +1,6 @@
 #include "surface_sampling/curve_chains.h"
 
+#include "brep/analytic/bspline_curve.h"
 #include "brep/analytic/line_curve.h"
 #include "brep/analytic/solids.h"
 #include "sizing/shape_sizes.h"
@@ -152,6 +153,46 @@ TEST(CurveChains, SplitInTheMiddleOfTheTurningAndKeepIds)
     EXPECT_EQ(c.nodes[split->node].position, exact);
     EXPECT_EQ(c.chains.previous(split->halves[1]), split->halves[0]);
     EXPECT_EQ(c.chains.next(split->halves[1]), before[4]);
+}
+
+/// One edge: a quarter circle of radius 1 that goes over into a line of length 6.
+BrepModel quarterAndLine()
+{
+    BSplineData data;
+    data.degree = 2;
+    data.poles = {{1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}, {-3.0, 1.0, 0.0}, {-6.0, 1.0, 0.0}};
+    data.weights = {1.0, std::sqrt(0.5), 1.0, 1.0, 1.0};
+    data.knots = {0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0};
+    BrepModel model;
+    model.vertices.push_back({data.poles.front(), 1e-7});
+    model.vertices.push_back({data.poles.back(), 1e-7});
+    BrepEdge edge;
+    edge.curve = BSplineCurve::make(std::move(data)).value();
+    edge.part = {0.0, 2.0};
+    edge.first = BrepVertexId(0);
+    edge.last = BrepVertexId(1);
+    edge.tolerance = 1e-7;
+    model.edges.push_back(edge);
+    return model;
+}
+
+TEST(CurveChains, SplitPastTheEndOfATurn)
+{
+    Chained c{quarterAndLine(), {}, {}};
+    chainInto(c);
+    const auto lengthOf = [&](SegmentId s) {
+        const auto [a, b] = c.chains.segments()[s].node;
+        return length(c.nodes[a].position - c.nodes[b].position);
+    };
+    const auto isShorter = [&](SegmentId a, SegmentId b) { return lengthOf(a) < lengthOf(b); };
+    const auto chain = [&] { return c.chains.chainOf(BrepEdgeId(0)); };
+    for (int i = 0; i < 30 && longestOf(c, BrepEdgeId(0)) > 1.0; ++i) {
+        const std::vector<SegmentId> now = chain();
+        ASSERT_TRUE(c.chains.split(*std::max_element(now.begin(), now.end(), isShorter), c.nodes));
+    }
+    EXPECT_LE(longestOf(c, BrepEdgeId(0)), 1.0);
+    const std::vector<SegmentId> last = chain();
+    EXPECT_GT(lengthOf(*std::min_element(last.begin(), last.end(), isShorter)), 0.02);
 }
 
 TEST(CurveChains, SplitTheFirstSegmentOfAnEdge)
