@@ -112,6 +112,14 @@ constexpr double kCoarseEnough = 0.1;
 
 constexpr std::size_t kMostWarnings = 20;
 
+std::string warningOf(const NarrowGap& gap)
+{
+    return nameOf(gap.edge) + " and " + nameOf(gap.other) + " are " + rounded(gap.width) + " apart at " +
+           rounded(gap.place.x) + ", " + rounded(gap.place.y) + ", " + rounded(gap.place.z) +
+           ": elements between them are left flat, since good ones would be as small; join the two, or part "
+           "them";
+}
+
 /// Why refinement ended before all was done, and the entities where it spent its work.
 std::string stallWarning(const RefinedVolume& refined)
 {
@@ -188,6 +196,11 @@ void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
     if (kept.size() > kMostWarnings)
         report.warnings.push_back(std::to_string(kept.size() - kMostWarnings) +
                                   " more walls are left with flat tetrahedra");
+    for (std::size_t i = 0; i < std::min(refined.gaps.size(), kMostWarnings); ++i)
+        report.warnings.push_back(warningOf(refined.gaps[i]));
+    if (refined.gaps.size() > kMostWarnings)
+        report.warnings.push_back(std::to_string(refined.gaps.size() - kMostWarnings) +
+                                  " more gaps beside edges are too narrow to refine between");
 }
 
 }  // namespace mesher

@@ -27,6 +27,9 @@ std::uint64_t mostTries(std::size_t tets) { return 3 * static_cast<std::uint64_t
 /// or two on it.
 constexpr double kFacetsPerWallElement = 0.25;
 
+/// Of the model's diagonal: what is nearer to an edge takes millions of good tetrahedra along each tenth of the diagonal.
+constexpr double kLeastGapShare = 1e-7;
+
 double secondsSince(SolidRun::Clock::time_point start)
 {
     return std::chrono::duration<double>(SolidRun::Clock::now() - start).count();
@@ -167,6 +170,7 @@ bool SolidRun::refine()
     refinement.sizing.field = sizes_.get();
     refinement.quality.measure = options_.measure;
     refinement.quality.threshold = options_.threshold;
+    refinement.leastGap = kLeastGapShare * length(model_.box.extent());
     refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
     refinement.limits.maxElements = options_.maxElements;
     refinement.limits.maxTime = timeLeft();

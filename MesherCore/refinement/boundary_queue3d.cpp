@@ -23,7 +23,10 @@ void refuse(std::vector<char>& refused, std::uint32_t id)
 }  // namespace
 
 BoundaryQueue3d::BoundaryQueue3d(RefinementState3d& state, BadTetQueue& badTets)
-    : state_(state), badTets_(badTets), splitter_(state.t, state.splitter)
+    : state_(state),
+      badTets_(badTets),
+      splitter_(state.t, state.splitter),
+      gaps_(state.t, state.splitter.mesh(), state.options.leastGap)
 {
 }
 
@@ -131,7 +134,8 @@ void BoundaryQueue3d::serveSegment()
     const VertexId b = state_.t.vertexOf[whole.node[1]];
     const double span = length(state_.mesh.position(b) - state_.mesh.position(a));
     const bool maySplit = state_.criteria.maySplit(a, b) && state_.walls.maySplit(std::array{a, b}, span);
-    const bool isAllowed = (state_.criteria.isTooLong(a, b) || maySplit) && span > 2.0 * floor();
+    const bool isAllowed =
+        (state_.criteria.isTooLong(a, b) || (maySplit && !gaps_.isBeside(segment))) && span > 2.0 * floor();
     if (isAllowed) {
         const BoundarySplit3d split = splitter_.splitSegment(segment);
         if (split.outcome == SplitOutcome3d::Split) {

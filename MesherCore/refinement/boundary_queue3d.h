@@ -3,6 +3,7 @@
 #include "base/bucket_queue.h"
 #include "refinement/bad_tet_queue.h"
 #include "refinement/boundary_split3d.h"
+#include "refinement/narrow_gaps.h"
 #include "refinement/refinement_state3d.h"
 
 #include <optional>
@@ -35,6 +36,8 @@ public:
     /// Splits or refuses the next one.
     void serveNext();
 
+    /// Beside which segments were split for their length alone.
+    [[nodiscard]] const std::vector<NarrowGap>& narrowGaps() const { return gaps_.gaps(); }
     [[nodiscard]] const BoundarySplitCounts& splitCounts() const { return splitter_.counts(); }
 
 private:
@@ -53,6 +56,7 @@ private:
     RefinementState3d& state_;
     BadTetQueue& badTets_;
     BoundarySplitter3d splitter_;
+    NarrowGaps gaps_;
     BucketQueue<SegmentId> segments_;
     BucketQueue<FacetId> facets_;
     std::vector<char> refusedSegments_;

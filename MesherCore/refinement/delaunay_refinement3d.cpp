@@ -55,6 +55,7 @@ public:
         state_.counts.delaunayFlips = state_.flips.counts().flips;
         state_.counts.delaunayCavities = state_.flips.counts().cavities;
         result.walls = state_.walls.walls();
+        result.gaps = boundary_.narrowGaps();
         state_.counts.boundary = boundary_.splitCounts();
         state_.counts.cavityRepairs = state_.t.delaunay->counters().cavityRepairs;
         result.counts = state_.counts;

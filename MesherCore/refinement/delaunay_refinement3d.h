@@ -6,6 +6,7 @@
 #include "mesh/surface_splitter.h"
 #include "refinement/boundary_split3d.h"
 #include "refinement/length_scale3d.h"
+#include "refinement/narrow_gaps.h"
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
 #include "refinement/thin_walls.h"
@@ -75,6 +76,8 @@ struct DelaunayRefinementOptions3d
     BoundaryPolicy boundary = BoundaryPolicy::Split;
     /// Segments and facets below it are not split, model units; 0 leaves it to the surface splitter.
     double floor = 0.0;
+    /// Segments with a vertex or segment nearer beside them than this are split for their length alone, model units.
+    double leastGap = 0.0;
     /// Tetrahedra that thin walls may take beyond the sizes wanted. Walls that take more are left with flat ones.
     double maxWallTets = 1e6;
     /// The work after which a refinement that makes no headway ends.
@@ -88,6 +91,7 @@ struct DelaunayRefinement3d
     RefinementCounts3d counts;
     std::vector<LeftTet3d> left;
     std::vector<ThinWall> walls;
+    std::vector<NarrowGap> gaps;  ///< too narrow to split segments beside them for more than their length
     /// Whether the allowance of work has ended it, and where most of the work was done in vain then.
     bool hasStalled = false;
     std::vector<WorkLedger3d::Entry> costliest;

@@ -22,6 +22,8 @@ Result<void> validate(const RefineVolumeOptions& options)
     if (!isPositive(options.sizing.grading)) return outOfRange("grading", "a number above 0");
     if (!(options.maxWallTets >= 0.0)) return outOfRange("maximum of tetrahedra in walls", "0 or more");
     if (!std::isfinite(options.floor) || options.floor < 0.0) return outOfRange("floor", "0 or more");
+    if (!std::isfinite(options.leastGap) || options.leastGap < 0.0)
+        return outOfRange("least gap", "0 or more");
     const double best = infoOf(options.quality.measure).regularScore;
     const double threshold = options.quality.threshold.value_or(infoOf(options.quality.measure).threshold);
     if (!(threshold >= 0.0 && threshold < best)) {
@@ -56,10 +58,11 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     const double room = static_cast<double>(options.limits.maxElements) -
                         static_cast<double>(countMeshed(tetrahedralization.mesh()));
     const double maxWallTets = std::clamp(room, 0.0, options.maxWallTets);
-    DelaunayRefinement3d refinement = refineDelaunay3d(
-        tetrahedralization, splitter,
-        {options.sizing, options.quality, options.boundary, options.floor, maxWallTets, options.allowance},
-        budget, context);
+    DelaunayRefinement3d refinement =
+        refineDelaunay3d(tetrahedralization, splitter,
+                         {options.sizing, options.quality, options.boundary, options.floor, options.leastGap,
+                          maxWallTets, options.allowance},
+                         budget, context);
     if (context.checkLevel() == CheckLevel::Full) {
         MESHER_INVARIANT(checkRefinement(tetrahedralization, splitter.mesh()).isValid());
     }
@@ -68,6 +71,7 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     result.counts = refinement.counts;
     result.left = std::move(refinement.left);
     result.walls = std::move(refinement.walls);
+    result.gaps = std::move(refinement.gaps);
     result.hasStalled = refinement.hasStalled;
     result.costliest = std::move(refinement.costliest);
     result.places = groupLeftTets(tetrahedralization, result.left);

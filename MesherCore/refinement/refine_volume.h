@@ -17,6 +17,9 @@ struct RefineVolumeOptions
     BoundaryPolicy boundary = BoundaryPolicy::Split;
     /// Segments and facets below it are not split, model units. DEFAULT: what the surface splitter allows
     double floor = 0.0;
+    /// Segments with a vertex or segment nearer beside them than this are split for their length alone, model units: good
+    /// tetrahedra between the two would be as small as the gap is wide, along all of them.
+    double leastGap = 0.0;
     /// Tetrahedra that thin walls may take beyond the sizes wanted; see ThinWalls.
     double maxWallTets = 1e6;
     /// The work after which a refinement that makes no headway ends, with the mesh that it has.
@@ -36,6 +39,7 @@ struct RefinedVolume
     /// The same in groups, for people.
     std::vector<LeftPlace3d> places;
     std::vector<ThinWall> walls;
+    std::vector<NarrowGap> gaps;  ///< narrower than the least gap, beside which elements are left flat
     /// Whether it was ended since it made no headway any more, and where most of the work was done in vain then.
     bool hasStalled = false;
     std::vector<WorkLedger3d::Entry> costliest;

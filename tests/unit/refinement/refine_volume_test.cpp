@@ -295,6 +295,7 @@ TEST(RefineVolumeOptionsRange, IsRefusedOutside)
     EXPECT_TRUE(isRefused([](auto& o) { o.sizing.refinement = 0.0; }));
     EXPECT_TRUE(isRefused([](auto& o) { o.sizing.grading = -1.0; }));
     EXPECT_TRUE(isRefused([](auto& o) { o.floor = std::nan(""); }));
+    EXPECT_TRUE(isRefused([](auto& o) { o.leastGap = -1.0; }));
     EXPECT_TRUE(isRefused([](auto& o) { o.quality.threshold = 0.95; }));
     EXPECT_TRUE(isRefused([](auto& o) { o.quality.largestDihedral = 80.0; }));
 }
@@ -333,6 +334,32 @@ TEST(RefineVolumeSmallAngles, AreBlamedForWhatIsLeft)
         EXPECT_LT(place.entity[1], place.entity[2]);
     }
     EXPECT_EQ(told, result.left.size());
+}
+
+TEST(RefineVolumeGaps, AreNamedAndNotResolvedBelowTheLeastOne)
+{
+    const auto beam = [] { return sampledBox({1.0, 0.01, 0.01}, 1); };
+    const UniformSize field(0.25);
+    RefineVolumeOptions options;
+    options.sizing.field = &field;
+    options.sizing.usesLocalFeatureSize = false;
+    SampledSolid resolved = beam();
+    const RefinedVolume fine = refine(resolved, options);
+    EXPECT_TRUE(fine.gaps.empty());
+    EXPECT_GT(fine.counts.segmentSplits, 200u);
+
+    SampledSolid narrow = beam();
+    options.leastGap = 0.02;
+    const RefinedVolume coarse = refine(narrow, options);
+    EXPECT_TRUE(isSound(narrow));
+    EXPECT_LT(coarse.counts.segmentSplits, 20u);
+    ASSERT_FALSE(coarse.gaps.empty());
+    for (const NarrowGap& gap : coarse.gaps) {
+        EXPECT_EQ(gap.edge.dimension, 1);
+        EXPECT_NE(gap.edge, gap.other);
+        EXPECT_GT(gap.width, 0.0099);
+        EXPECT_LT(gap.width, 0.02);
+    }
 }
 
 TEST(RefineVolumeFuzz, KeepsTheInvariantsForRandomSolids)
