@@ -1,1 +1,0 @@
-#include "standard_headers.h"
