@@ -39,6 +39,7 @@ struct ImprovementCounts
     /// Swaps and moves on the boundary that are not within planes and straight lines, so that the surface is another.
     std::uint64_t curvedChanges = 0;
     std::uint64_t passes = 0;
+    std::uint64_t surroundings = 0;  ///< tetrahedra that nothing helped alone, tried with those about them
 };
 
 /// Degrees; as if there were none but right angles in a mesh without tetrahedra.
@@ -64,7 +65,7 @@ struct Improvement
 ///              positive, the boundary the same surface with the same classification, nodes on it on their own entity, nodes at
 ///              vertices of the model where they are (improvement_check.h proves it); the same input gives the same mesh
 /// Refuses      options out of range: InvalidArgument
-/// Terminates   after maxPasses, and by the limits; the mesh is sound also then
+/// Terminates   after maxPasses, some rounds over those that are left, and by the limits; the mesh is sound also then
 /// Cost         linear, and some microseconds for each bad tetrahedron
 /// Units        model units; angles in degrees
 /// Reference    [gosselin] section 4.6, [freitag1997]. There the boundary is frozen, which it calls its limit

@@ -76,6 +76,7 @@ void tellCounts(const ImprovementCounts& counts, MeshReport& report)
     add(report, "inner_moves", counts.innerMoves);
     add(report, "face_moves", counts.faceMoves);
     add(report, "edge_moves", counts.edgeMoves);
+    add(report, "tets_improved_with_surroundings", counts.surroundings);
 }
 
 }  // namespace mesher

@@ -40,6 +40,24 @@ TEST(ImproveMesh, MakesNothingWorseAndKeepsTheBoundary)
     EXPECT_GT(sum.edgeMoves, 2u);
 }
 
+TEST(ImproveMesh, HelpsWithTheirSurroundingsThoseThatNothingHelpsAlone)
+{
+    const std::vector<SolidExample> thin = {
+        {"disc", makeCylinder(Axes{}, 2.0, 0.35).value(), 0.35},
+        {"ring", makeTorus(Axes{}, 2.0, 0.25).value(), 0.25},
+        {"plate", makeBox({0, 0, 0}, {4, 3, 0.3}).value(), 0.3},
+    };
+    for (const SolidExample& example : thin) {
+        SCOPED_TRACE(example.name);
+        const ClassifiedMesh before = refinedMesh(example);
+        ClassifiedMesh after = before;
+        const Improvement result = improved(after, example.model);
+        EXPECT_GT(result.counts.surroundings, 0u);
+        EXPECT_EQ(result.counts.badAfter, 0u);
+        EXPECT_TRUE(isImprovementOf(after, before, example.model));
+    }
+}
+
 TEST(ImproveMesh, KeepsTheFaceBetweenTwoSolids)
 {
     const BrepModel model = test::makeTwoCubes();
