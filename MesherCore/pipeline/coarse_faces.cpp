@@ -59,14 +59,14 @@ Result<std::vector<CoarseFacet>> coarseFaces(const ModelComponent& part, double 
     if (!sample) return named(sample.error(), part);
     if (!sample->failures.empty()) return named(sample->failures.front().second, part);
     const SurfaceMesh& mesh = sample->surface->mesh();
-    const IdVector<FacetId, double> departures = facetDepartures(part.model, mesh);
+    const IdVector<FacetId, FacetDeparture> departures = facetDepartures(part.model, mesh);
     std::vector<CoarseFacet> facets;
     for (std::uint32_t f = 0; f < mesh.facets.size(); ++f) {
         const SurfaceFacet& facet = mesh.facets[FacetId(f)];
         if (!facet.isAlive()) continue;
         CoarseFacet& coarse = facets.emplace_back();
         for (std::size_t i = 0; i < 3; ++i) coarse.corner[i] = mesh.nodes[facet.node[i]].position;
-        coarse.departure = departures[FacetId(f)];
+        coarse.departure = departures[FacetId(f)].distance;
     }
     return facets;
 }

@@ -1,6 +1,6 @@
 #include "pipeline/component_surface.h"
 
-#include "base/indexed_map.h"
+#include "pipeline/facet_departures.h"
 #include "sizing/distances.h"
 #include "surface_sampling/triangle_intersection.h"
 
@@ -27,70 +27,11 @@ std::vector<FacetId> livingFacets(const SurfaceMesh& mesh)
     return facets;
 }
 
-std::uint64_t keyOf(NodeId a, NodeId b)
-{
-    return std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value;
-}
-
 std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, FacetId facet)
 {
     std::array<Vec3, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.nodes[mesh.facets[facet].node[i]].position;
     return corners;
-}
-
-/// The middle of a segment and that of its curve.
-struct SegmentMiddle
-{
-    Vec3 chord;
-    Vec3 curve;
-};
-
-/// By the nodes of the segments.
-IndexedMap<std::uint64_t, SegmentMiddle> segmentMiddles(const BrepModel& model, const SurfaceMesh& mesh)
-{
-    IndexedMap<std::uint64_t, SegmentMiddle> middles;
-    for (const SurfaceSegment& segment : mesh.segments) {
-        if (!segment.isAlive() || model.edges[segment.edge].isDegenerate) continue;
-        const auto& [a, b] = segment.node;
-        const Vec3 chord = 0.5 * (mesh.nodes[a].position + mesh.nodes[b].position);
-        const auto& [from, to] = segment.parameter;
-        middles.insert(keyOf(a, b), {chord, model.edges[segment.edge].curve->position(0.5 * (from + to))});
-    }
-    return middles;
-}
-
-/// How far a facet departs from its face, and whether it keeps to the face in parameters: its edges on the face's boundary are
-/// lines of parameters there.
-struct Departure
-{
-    double sag = 0.0;
-    bool isFlush = true;
-};
-
-/// From what the middle of the facet departs from its face, and the middle of its segments from their curves: there faces go
-/// on beyond their facets.
-Departure departureOf(const BrepModel& model, const SurfaceMesh& mesh, FacetId facet,
-                      const IndexedMap<std::uint64_t, SegmentMiddle>& middles)
-{
-    const std::array<Vec3, 3> corner = cornersOf(mesh, facet);
-    const auto& [face, node, uv] =
-        std::tie(mesh.facets[facet].face, mesh.facets[facet].node, mesh.facets[facet].parameters);
-    const Surface& surface = *model.faces[face].surface;
-    const Vec3 middle = (1.0 / 3.0) * (corner[0] + corner[1] + corner[2]);
-    double largest = surface.project(middle, (1.0 / 3.0) * (uv[0] + uv[1] + uv[2])).distance;
-    Departure departure;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3;
-        const SegmentMiddle* known = middles.find(keyOf(node[i], node[j]));
-        if (known == nullptr) continue;
-        largest = std::max(largest, length(known->chord - known->curve));
-        const Vec3 between = surface.position(0.5 * (uv[i] + uv[j]));
-        departure.isFlush =
-            departure.isFlush && length(between - known->curve) <= model.faces[face].tolerance;
-    }
-    departure.sag = kCutOff * largest;
-    return departure;
 }
 
 /// Of the facets, grown by their sags where there are some.
@@ -139,12 +80,11 @@ ComponentSurface::ComponentSurface(const BrepModel& model, const SurfaceMesh& me
       faceTree_(std::span<const Box3>())
 {
     for (const MeshNode& node : mesh.nodes) box_.include(node.position);
-    const IndexedMap<std::uint64_t, SegmentMiddle> middles = segmentMiddles(model, mesh);
+    const IdVector<FacetId, FacetDeparture> departures = facetDepartures(model, mesh);
     for (const FacetId facet : facets_) {
-        const Departure departure = departureOf(model, mesh, facet, middles);
-        sag_[facet] = departure.sag;
-        isFlush_[facet] = departure.isFlush ? 1 : 0;
-        largestSag_ = std::max(largestSag_, departure.sag);
+        sag_[facet] = kCutOff * departures[facet].distance;
+        isFlush_[facet] = departures[facet].isFlush ? 1 : 0;
+        largestSag_ = std::max(largestSag_, sag_[facet]);
     }
     faceTree_ = BoxTree(boxesOf(mesh, facets_, &sag_));
 }

@@ -63,7 +63,7 @@ void gradeOnFaces(const SurfaceMesh& mesh, double grading, std::vector<double>& 
 std::vector<SizedTriangle> sizedTriangles(const BrepModel& model, const SurfaceMesh& mesh,
                                           const std::vector<double>& sizes)
 {
-    const IdVector<FacetId, double> departures = facetDepartures(model, mesh);
+    const IdVector<FacetId, FacetDeparture> departures = facetDepartures(model, mesh);
     std::vector<SizedTriangle> triangles;
     for (std::uint32_t f = 0; f < mesh.facets.size(); ++f) {
         const SurfaceFacet& facet = mesh.facets[FacetId(f)];
@@ -73,7 +73,7 @@ std::vector<SizedTriangle> sizedTriangles(const BrepModel& model, const SurfaceM
             triangle.corner[i] = mesh.nodes[facet.node[i]].position;
             triangle.size[i] = sizes[facet.node[i].value];
         }
-        triangle.plateau = departures[FacetId(f)];
+        triangle.plateau = departures[FacetId(f)].distance;
     }
     return triangles;
 }

@@ -20,6 +20,11 @@ void tellCounts(const SurfaceSamplingCounts& counts, MeshReport& report)
     add(report, "sample_vertices", counts.vertices);
     add(report, "sample_facets", counts.facets);
     add(report, "sample_segments", counts.segments);
+    const FacetSplitCounts& splits = counts.refinement.splits;
+    add(report, "projected_centres", splits.projectedCentres);
+    add(report, "halved_facet_edges", splits.splitEdges);
+    add(report, "folded_stars", splits.foldedStars);
+    add(report, "steep_stars", splits.steepStars);
     add(report, "flat_rims", counts.flatRims.size());
     add(report, "rim_facets_left", counts.refinement.leftOnRims);
     add(report, "wall_facet_splits", counts.walls.facetsSplit);
@@ -47,6 +52,9 @@ void tellCounts(const RefinedVolume& refined, MeshReport& report)
     add(report, "aborted_insertions", counts.abortedInsertions);
     add(report, "refused_segments", counts.refusedSegments);
     add(report, "refused_facets", counts.refusedFacets);
+    add(report, "blocked_cavities", counts.boundary.blockedCavities);
+    add(report, "cut_cavities", counts.boundary.cutCavities);
+    add(report, "least_splits", counts.boundary.leastExtents);
     add(report, "delaunay_flips", counts.delaunayFlips);
     add(report, "delaunay_cavities", counts.delaunayCavities);
     add(report, "facet_swaps", counts.facetSwaps);

@@ -132,9 +132,27 @@ bool BoundarySplitter3d::isCavityReady(const ProtectingBall& ball)
     for (int round = 0; round < kMostRounds; ++round) {
         const Cavity3d& cavity = findCavity();
         if (cavity.status != CavityStatus::Ready) return false;
-        if (!deleteVerticesIn(cavity, ball)) return true;
+        if (deleteVerticesIn(cavity, ball)) continue;
+        counts_.cutCavities += cavity.isCut ? 1 : 0;
+        return true;
     }
-    return findCavity().status == CavityStatus::Ready;
+    const Cavity3d& cavity = findCavity();
+    counts_.cutCavities += cavity.isCut ? 1 : 0;
+    return cavity.status == CavityStatus::Ready;
+}
+
+/// Makes the split that was evaluated, where a cavity takes it.
+bool BoundarySplitter3d::commitIfReady(const ProtectingBall& ball, SurfaceSplitExtent extent,
+                                       BoundarySplit3d& result)
+{
+    if (!isCavityReady(ball)) {
+        ++counts_.blockedCavities;
+        result.outcome = SplitOutcome3d::NotStarShaped;
+        return false;
+    }
+    if (extent == SurfaceSplitExtent::Least) ++counts_.leastExtents;
+    commit(result);
+    return true;
 }
 
 void BoundarySplitter3d::commit(BoundarySplit3d& split)
@@ -197,13 +215,7 @@ BoundarySplit3d BoundarySplitter3d::splitFacet(FacetId facet,
             result.encroached = encroached;
             return result;
         }
-        if (isCavityReady(*ball)) {
-            if (extent == SurfaceSplitExtent::Least) ++counts_.leastExtents;
-            commit(result);
-            return result;
-        }
-        ++counts_.blockedCavities;
-        result.outcome = SplitOutcome3d::NotStarShaped;
+        if (commitIfReady(*ball, extent, result)) return result;
     }
     return result;
 }
@@ -219,13 +231,7 @@ BoundarySplit3d BoundarySplitter3d::splitSegment(SegmentId segment)
         splitter_.evaluateSegment(segment, extent, split_);
         if (split_.status == SurfaceSplitStatus::TooSmall) result.outcome = SplitOutcome3d::TooSmall;
         if (split_.status != SurfaceSplitStatus::Ready || !prepare()) continue;
-        if (isCavityReady(ball)) {
-            if (extent == SurfaceSplitExtent::Least) ++counts_.leastExtents;
-            commit(result);
-            return result;
-        }
-        ++counts_.blockedCavities;
-        result.outcome = SplitOutcome3d::NotStarShaped;
+        if (commitIfReady(ball, extent, result)) return result;
     }
     return result;
 }

@@ -35,6 +35,7 @@ struct BoundarySplitCounts
     std::uint64_t keptVertices = 0;        ///< in the ball of what was split, and could not be deleted
     std::uint64_t leastExtents = 0;        ///< splits made with the least change of the surface
     std::uint64_t blockedCavities = 0;     ///< evaluated splits that no cavity could take
+    std::uint64_t cutCavities = 0;         ///< that did not take in all conflicts, being too many
     std::uint64_t inconsistentSplits = 0;  ///< of the surface, that do not fit the tetrahedralization
 };
 
@@ -69,6 +70,7 @@ private:
                                 const std::function<bool(SegmentId)>& mayEncroach) const;
     bool deleteVerticesIn(const Cavity3d& cavity, const ProtectingBall& ball);
     bool isCavityReady(const ProtectingBall& ball);
+    bool commitIfReady(const ProtectingBall& ball, SurfaceSplitExtent extent, BoundarySplit3d& result);
     void commit(BoundarySplit3d& split);
     [[nodiscard]] VertexId vertexOf(NodeId node) const { return t_.vertexOf[node]; }
     [[nodiscard]] Face cornersOf(const SurfaceFacet& facet) const;

@@ -13,9 +13,8 @@ namespace mesher {
 
 namespace {
 
-// Poles are cut into pieces of no more than this share of the outline's size, or this turn around them (30 degrees).
+// Poles are cut into pieces of no more than this share of the outline's size.
 constexpr double kPolePiece = 0.125;
-constexpr double kPoleTurn = 0.5236;
 // Ends of parameter curves that are one but for rounding, relative to the outline's size.
 constexpr double kRoundingShare = 1e-9;
 
@@ -325,25 +324,6 @@ private:
             if (i > 0) outline_.pieces.push_back(pieceBetween(from, to, loop, strand));
             from = to;
         }
-    }
-
-    /// By how much lines beside the pole turn around it, radians.
-    [[nodiscard]] double turningAlongPole(Vec2 a, Vec2 b, bool isAlongU) const
-    {
-        constexpr int kSteps = 24;
-        constexpr double kBeside = 1e-3;
-        double turning = 0.0;
-        Vec3 previous;
-        for (int i = 0; i <= kSteps; ++i) {
-            Vec2 uv = a + (static_cast<double>(i) / kSteps) * (b - a);
-            double& across = isAlongU ? uv.y : uv.x;
-            across += kBeside * ((isAlongU ? face_.boundsV : face_.boundsU).at(0.5) - across);
-            const SurfacePoint p = face_.surface->evaluate(uv);
-            const Vec3 direction = isAlongU ? p.du : p.dv;
-            if (i > 0) turning += std::atan2(length(cross(previous, direction)), dot(previous, direction));
-            previous = direction;
-        }
-        return turning;
     }
 
     std::uint32_t addPoint(NodeId node, Vec2 uv, double closeness)

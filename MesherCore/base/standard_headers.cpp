@@ -1,0 +1,1 @@
+#include "base/standard_headers.h"
