@@ -39,8 +39,11 @@ std::optional<Distance> distanceOf(const MeshNode& node, const BrepModel& model)
     }
     if (node.entity.dimension == 2) {
         const BrepFace& face = model.faces[BrepFaceId(node.entity.index)];
-        const SurfaceProjection onSurface = face.surface->project(node.position);
-        return Distance{onSurface.distance, face.tolerance};
+        double distance = face.surface->project(node.position).distance;
+        // Every point of the surface bounds the distance; a search without a seed may miss the nearest one.
+        if (distance > std::max(kTolerance, face.tolerance))
+            distance = std::min(distance, face.surface->project(node.position, node.parameters).distance);
+        return Distance{distance, face.tolerance};
     }
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include "surface_sampling/face_refinement.h"
 
+#include "surface_sampling/face_folds.h"
 #include "surface_sampling/face_points.h"
 #include "surface_sampling/face_seeds.h"
 
@@ -139,6 +140,8 @@ private:
         const Departure departure = departureOf(t);
         if (!departure.isBad) return;
         const bool isAtPole = corner(t, 0).isPole || corner(t, 1).isPole || corner(t, 2).isPole;
+        const bool isNarrow = isWithinTolerance(face_, {&corner(t, 0), &corner(t, 1), &corner(t, 2)});
+        if (isNarrow && !isAtPole) return leave();
         if (phase_ != Phase::Points && (isAtPole || departure.isInside)) return postpone(t);
         if (ringPole(t)) return;
         if (levelPole(t)) {
@@ -146,6 +149,7 @@ private:
             enqueue(t);
             return;
         }
+        if (isNarrow) return leave();
         if (departure.isInside && insertAt(centreOf(t), t)) return;
         std::array<unsigned, 3> sides{0, 1, 2};
         const double most = *std::max_element(departure.turn.begin(), departure.turn.end());
@@ -160,8 +164,10 @@ private:
             if (!isPiece && phase_ != Phase::Points) return postpone(t);
             if (splitSide(EdgeLink(t, side))) return;
         }
-        ++result_.givenUp;
+        leave();
     }
+
+    void leave() { ++result_.givenUp; }
 
     [[nodiscard]] bool endsInPole(TriangleId t, unsigned i) const
     {
@@ -193,14 +199,15 @@ private:
                                                                               : &outline_.pieces[*piece];
     }
 
-    /// Points nearer to a curve than its segment is would make facets that lie across the surface, and ever more of them.
+    /// Points nearer to a curve than its segment is would make facets that lie across the surface, and ever more of them; what
+    /// the segment is off by less than the tolerance does not count.
     bool nameNarrowSide(TriangleId t)
     {
         for (unsigned k = 0; k < 3; ++k) {
             const EdgeLink side(t, k);
             if (!t_.mesh().isConstrained(side)) continue;
             const OutlinePiece* piece = pieceAt(side);
-            if (piece == nullptr) continue;
+            if (piece == nullptr || length(piece->sag) < face_.tolerance) continue;
             const Vec3& a = corner(t, nextCorner(k)).position;
             const Vec3& b = corner(t, previousCorner(k)).position;
             if (FaceTriangulation::isNarrowBeside(*piece, a, b, corner(t, k).position) &&
@@ -253,6 +260,7 @@ private:
 
     bool insertAt(Vec2 uv, TriangleId hint)
     {
+        if (isOnPiece(face_, t_, uv, hint)) return false;
         const auto vertex = insertFacePoint(face_, uv, hint, t_);
         if (!vertex) return false;
         return enqueueAround(*vertex);

@@ -1,5 +1,6 @@
 #include "surface_sampling/initial_face_mesh.h"
 
+#include "surface_sampling/face_folds.h"
 #include "surface_sampling/face_outline.h"
 #include "surface_sampling/face_points.h"
 #include "surface_sampling/face_refinement.h"
@@ -17,8 +18,8 @@ namespace {
 class FaceLifter
 {
 public:
-    FaceLifter(BrepFaceId id, const FaceTriangulation& t, NodeId firstInteriorNode)
-        : id_(id), t_(t), nodeOf_(t.mesh().vertexSlots())
+    FaceLifter(BrepFaceId id, const BrepFace& face, const FaceTriangulation& t, NodeId firstInteriorNode)
+        : id_(id), face_(face), t_(t), nodeOf_(t.mesh().vertexSlots())
     {
         mesh_.firstInteriorNode = firstInteriorNode;
     }
@@ -73,11 +74,11 @@ private:
             const FacePoint &a = *p[nextCorner(i)], &b = *p[previousCorner(i)];
             facet.parameters[i] = p[i]->isPole ? parametersBeside(*p[i], middleOf(a, b)) : p[i]->uv;
         }
-        const Vec3 normal = cross(p[1]->position - p[0]->position, p[2]->position - p[0]->position);
-        bool isSound = squaredLength(normal) > 0.0;
-        for (const FacePoint* point : p)
-            isSound = isSound && (point->normal == Vec3{} || dot(normal, point->normal) > 0.0);
-        if (!isSound) return folded(*p[0]);
+        if (!isUpright(p)) {
+            // What is narrower than the face is exact may lie across.
+            if (!isWithinTolerance(face_, p)) return folded(*p[0]);
+            ++mesh_.leftAlone;
+        }
         mesh_.facets.push_back(facet);
         return {};
     }
@@ -103,6 +104,7 @@ private:
     }
 
     BrepFaceId id_;
+    const BrepFace& face_;
     const FaceTriangulation& t_;
     IdVector<VertexId, NodeId> nodeOf_;
     InitialFaceMesh mesh_;
@@ -174,8 +176,8 @@ Result<InitialFaceMesh> triangulateFace(const BrepModel& model, BrepFaceId face,
         coarse.tooCoarse = std::move(triangulation->tooCoarse);
         return coarse;
     }
-    auto mesh = FaceLifter(face, *triangulation, firstInteriorNode).run(*outline);
-    if (mesh) mesh->leftAlone = shaping.leftAlone;
+    auto mesh = FaceLifter(face, model.faces[face], *triangulation, firstInteriorNode).run(*outline);
+    if (mesh) mesh->leftAlone += shaping.leftAlone;
     return mesh;
 }
 

@@ -49,7 +49,8 @@ struct InitialFaceMesh
     NodeId firstInteriorNode;
     /// In the order of the loops; a seam's segments come twice, the two images glued through the same nodes.
     std::vector<FaceBoundaryPiece> boundary;
-    /// Facets that depart from the surface by more than the option allows, and are too small to be split.
+    /// Facets that depart from the surface by more than the option allows, and are too small to be split, or too narrow for the
+    /// face's tolerance.
     std::size_t leftAlone = 0;
     /// Not empty: the chains are too coarse for the face. Split these and try again; there are no facets then.
     std::vector<SegmentId> tooCoarse;
@@ -60,7 +61,7 @@ struct InitialFaceMesh
 /// pairs in ascending order, which no free edge of this face may be.
 /// Guarantees   facets are counter-clockwise about du x dv, conforming through the nodes, also across a seam and around a
 ///              pole; their normals keep to the option at corners, at centres and in the middle of sides, but
-///              for `leftAlone` of them, and to 90 degrees at corners always
+///              for `leftAlone` of them, and to 90 degrees at corners, but for facets narrower than the face's tolerance
 /// Refuses      loops that cross each other or themselves wherever the chains are fine, loops that enclose nothing: an Error
 ///              that names the face, the place and a remedy
 /// Terminates   by the options' budgets and the chains' floors

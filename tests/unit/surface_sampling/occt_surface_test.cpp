@@ -7,6 +7,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -36,6 +37,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -148,6 +150,30 @@ TopoDS_Shape fanFromAnInvertedPole()
     return BRepBuilderAPI_MakeFace(surface, 1e-3);
 }
 
+/// A box with another in its side, rounded below and along the concave edge between them, as far as the corner where the rounding
+/// would go on upwards: there the patch that joins both runs out to nothing, in the plane of the side.
+TopoDS_Shape roundedShelf()
+{
+    constexpr double kRadius = 0.5633494;
+    const TopoDS_Shape shape =
+        BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(8.5, 8.0, 5.5).Shape(),
+                         BRepPrimAPI_MakeBox(gp_Pnt(5.5, 1.5, 4.0), gp_Pnt(10.0, 5.5, 8.5)).Shape());
+    const std::array<gp_Pnt, 3> middles = {gp_Pnt(9.25, 1.5, 4.0), gp_Pnt(8.5, 3.5, 4.0),
+                                           gp_Pnt(9.25, 5.5, 4.0)};
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+    BRepFilletAPI_MakeFillet fillet(shape);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+        const BRepAdaptor_Curve curve(TopoDS::Edge(edges(i)));
+        const gp_Pnt middle = curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
+        const bool isRounded = std::any_of(middles.begin(), middles.end(), [&](const gp_Pnt& place) {
+            return place.Distance(middle) < 1e-6;
+        });
+        if (isRounded) fillet.Add(kRadius, TopoDS::Edge(edges(i)));
+    }
+    return fillet.Shape();
+}
+
 std::vector<NamedShape> hardModels()
 {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-1.0, -1.0, -1.0), 2.0, 2.0, 2.0).Shape();
@@ -244,6 +270,21 @@ TEST(OcctSurfaces, TakeNoNormalFromAPoleOfSomeExtent)
             least = std::min(least, angleInDegrees(at(i + 1) - at(i), at(i + 2) - at(i)));
     }
     EXPECT_GT(least, 20.0);
+}
+
+TEST(OcctSurfaces, StepOverWhatIsNarrowerThanTheTolerance)
+{
+    auto read = readModelFromShape(roundedShelf());
+    ASSERT_TRUE(read) << describe(read.error());
+    const UniformSize size(1.0);
+    SurfaceSamplingOptions options;
+    options.curves.sizes = options.facets.sizes = &size;
+    RunContext context;
+    const auto sample = sampleSurface(read->model, options, context);
+    ASSERT_TRUE(sample) << describe(sample.error());
+    for (const auto& [face, error] : sample->failures) ADD_FAILURE() << describe(error);
+    for (const FaceCheck& face : checkSurfaceMesh(read->model, sample->surface->mesh()).faces)
+        EXPECT_NEAR(face.area, face.exactArea, 0.05 * face.exactArea);
 }
 
 TEST(OcctSurfaces, SplitCurvesThatAreCoarseBesideAThinFace)
