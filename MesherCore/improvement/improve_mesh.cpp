@@ -22,7 +22,7 @@ constexpr double kHopeless = 0.25;
 constexpr int kSurroundingRounds = 4;
 
 /// Tetrahedra that may be tried with their surroundings in vain, the worst first. One or two of ten thousand are left bad where they
-/// can be helped, and nearly all of them are; where far more are, small angles and thin walls made them.
+/// can be helped, and most of them are; where far more are, small angles and thin walls made them.
 std::uint64_t mostTriesInVain(std::uint32_t tets) { return 100 + tets / 10000; }
 
 double sineOf(double degrees) { return std::sin(degrees * std::numbers::pi / 180.0); }

@@ -1,5 +1,6 @@
 #include "surface_sampling/facet_intersections.h"
 
+#include "base/assert.h"
 #include "base/box.h"
 #include "surface_sampling/triangle_intersection.h"
 
@@ -24,7 +25,7 @@ double coordinate(const Vec3& p, int axis) { return axis == 0 ? p.x : (axis == 1
 class FacetTree
 {
 public:
-    FacetTree(const BrepModel& model, const SurfaceMesh& mesh, RunContext& context)
+    FacetTree(const BrepModel& model, const SurfaceMesh& mesh, const FacetMarks* asked, RunContext& context)
         : mesh_(mesh), context_(context), isPlane_(model.faces.size())
     {
         for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
@@ -34,7 +35,7 @@ public:
             if (!mesh.facets[FacetId(i)].isAlive()) continue;
             Box3 box;
             for (const NodeId node : mesh.facets[FacetId(i)].node) box.include(mesh.nodes[node].position);
-            items_.push_back({box, FacetId(i)});
+            items_.push_back({box, FacetId(i), asked == nullptr || (*asked)[FacetId(i)] != 0});
         }
         if (!items_.empty()) build(0, items_.size());
     }
@@ -53,6 +54,7 @@ private:
     {
         Box3 box;
         FacetId facet;
+        bool isAsked = true;
     };
     struct Node
     {
@@ -60,6 +62,7 @@ private:
         std::size_t first = 0;
         std::size_t last = 0;
         std::array<std::size_t, 2> child{};  ///< both 0 for a leaf
+        bool isAsked = false;                ///< whether one of its facets is
 
         [[nodiscard]] bool isLeaf() const { return child[0] == 0; }
     };
@@ -73,6 +76,7 @@ private:
         for (std::size_t i = first; i < last; ++i) {
             node.box.include(items_[i].box.low);
             node.box.include(items_[i].box.high);
+            node.isAsked = node.isAsked || items_[i].isAsked;
         }
         nodes_.push_back(node);
         if (last - first <= kLeafSize) return index;
@@ -94,7 +98,7 @@ private:
     void findWithin(std::size_t index)
     {
         const Node& node = nodes_[index];
-        if (isCancelled()) return;
+        if (!node.isAsked || isCancelled()) return;
         if (node.isLeaf()) {
             facetsDone_ += node.last - node.first;
             for (std::size_t i = node.first; i < node.last; ++i) {
@@ -119,7 +123,7 @@ private:
     void findBetween(std::size_t i, std::size_t k)
     {
         const Node &a = nodes_[i], &b = nodes_[k];
-        if (!doBoxesMeet(a.box, b.box)) return;
+        if (!(a.isAsked || b.isAsked) || !doBoxesMeet(a.box, b.box)) return;
         if (a.isLeaf() && b.isLeaf()) {
             for (std::size_t x = a.first; x < a.last; ++x) {
                 for (std::size_t y = b.first; y < b.last; ++y) testPair(items_[x], items_[y]);
@@ -133,7 +137,7 @@ private:
 
     void testPair(const Item& x, const Item& y)
     {
-        if (!doBoxesMeet(x.box, y.box)) return;
+        if (!(x.isAsked || y.isAsked) || !doBoxesMeet(x.box, y.box)) return;
         const Item& a = x.facet < y.facet ? x : y;
         const Item& b = x.facet < y.facet ? y : x;
         const SurfaceFacet& first = mesh_.facets[a.facet];
@@ -189,7 +193,14 @@ private:
 std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh,
                                                       RunContext& context)
 {
-    return FacetTree(model, mesh, context).run();
+    return FacetTree(model, mesh, nullptr, context).run();
+}
+
+std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh,
+                                                      const FacetMarks& asked, RunContext& context)
+{
+    MESHER_PRECONDITION(asked.size() == mesh.facets.size());
+    return FacetTree(model, mesh, &asked, context).run();
 }
 
 }  // namespace mesher

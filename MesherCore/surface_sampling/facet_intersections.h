@@ -1,11 +1,13 @@
 #pragma once
 
+#include "base/id_vector.h"
 #include "base/run_context.h"
 #include "base/vec.h"
 #include "brep/brep_model.h"
 #include "mesh/surface_mesh.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -26,5 +28,14 @@ struct FacetIntersection
 /// Terminates   early, with those that were found, when the run is cancelled by its progress hook or otherwise
 [[nodiscard]] std::vector<FacetIntersection>
 findFacetIntersections(const BrepModel& model, const SurfaceMesh& mesh, RunContext& context);
+
+/// For each facet whether it is asked for.
+using FacetMarks = IdVector<FacetId, std::uint8_t>;
+
+/// The same of pairs of which one facet at least is asked for: of a mesh that was free of intersections before these changed.
+[[nodiscard]] std::vector<FacetIntersection> findFacetIntersections(const BrepModel& model,
+                                                                    const SurfaceMesh& mesh,
+                                                                    const FacetMarks& asked,
+                                                                    RunContext& context);
 
 }  // namespace mesher

@@ -14,6 +14,7 @@
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepGProp.hxx>
 #include <BRepOffsetAPI_MakeThickSolid.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
@@ -21,6 +22,7 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -191,13 +193,68 @@ NamedShape changed(Draws& draws, const TopoDS_Shape& body)
     }
 }
 
+/// Some edges rounded by a radius that changes along them.
+NamedShape roundedUnevenly(Draws& draws, const TopoDS_Shape& body)
+{
+    const double size = cornersOf(body).diagonal();
+    const TopTools_IndexedMapOfShape edges = partsOf(body, TopAbs_EDGE);
+    BRepFilletAPI_MakeFillet fillet(body);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+        if (draws.below(4) == 0)
+            fillet.Add(draws.between(0.005, 0.05) * size, draws.between(0.005, 0.05) * size,
+                       TopoDS::Edge(edges(i)));
+    }
+    return {fillet.Shape(), "uneven-fillet"};
+}
+
+/// Some edges cut off by two distances.
+NamedShape cutOffUnevenly(Draws& draws, const TopoDS_Shape& body)
+{
+    const double size = cornersOf(body).diagonal();
+    TopTools_IndexedDataMapOfShapeListOfShape faces;
+    TopExp::MapShapesAndAncestors(body, TopAbs_EDGE, TopAbs_FACE, faces);
+    BRepFilletAPI_MakeChamfer chamfer(body);
+    for (int i = 1; i <= faces.Extent(); ++i) {
+        if (draws.below(4) == 0)
+            chamfer.Add(draws.between(0.005, 0.05) * size, draws.between(0.005, 0.05) * size,
+                        TopoDS::Edge(faces.FindKey(i)), TopoDS::Face(faces(i).First()));
+    }
+    return {chamfer.Shape(), "uneven-chamfer"};
+}
+
+/// A second solid of its own, as high as the body, which touches the body's box or stands beside it.
+NamedShape accompanied(Draws& draws, const TopoDS_Shape& body)
+{
+    const Corners corners = cornersOf(body);
+    const double gap = draws.below(2) == 0 ? 0.0 : draws.between(0.001, 0.5) * corners.diagonal();
+    const gp_Pnt low(corners.high.X() + gap, corners.low.Y(), corners.low.Z());
+    const gp_Pnt high(low.X() + draws.between(0.1, 0.5) * corners.diagonal(), corners.high.Y(),
+                      corners.high.Z());
+    TopoDS_Compound both;
+    const BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, body);
+    builder.Add(both, BRepPrimAPI_MakeBox(low, high).Shape());
+    return {both, gap > 0.0 ? "beside" : "touching"};
+}
+
+NamedShape changedWidely(Draws& draws, const TopoDS_Shape& body)
+{
+    switch (draws.below(9)) {
+        case 0: return roundedUnevenly(draws, body);
+        case 1: return cutOffUnevenly(draws, body);
+        case 2: return accompanied(draws, body);
+        default: return changed(draws, body);
+    }
+}
+
 /// Takes the step if the kernel can do it and finds the result valid.
-void step(std::uint64_t seed, bool snaps, RandomSolid& solid)
+void step(std::uint64_t seed, bool snaps, bool isWide, RandomSolid& solid)
 {
     Draws draws(seed, snaps);
     NamedShape made;
     try {
-        made = changed(draws, solid.shape);
+        made = isWide ? changedWidely(draws, solid.shape) : changed(draws, solid.shape);
         if (!made.shape.IsNull()) made.shape = solidsOf(made.shape);
     } catch (const Standard_Failure&) {
         made.shape.Nullify();
@@ -230,7 +287,7 @@ std::uint64_t seedOf(std::uint64_t seed, std::uint64_t part)
 
 }  // namespace
 
-RandomSolid randomSolid(std::uint64_t seed, std::uint32_t mask)
+RandomSolid randomSolid(std::uint64_t seed, std::uint32_t mask, bool isWide)
 {
     RandomSolid solid;
     Draws first(seedOf(seed, 0), Random(seedOf(seed, 1)).below(2) == 0);
@@ -245,11 +302,17 @@ RandomSolid randomSolid(std::uint64_t seed, std::uint32_t mask)
     }
     if (solid.shape.IsNull()) return solid;
     for (std::uint32_t i = 0; i < solid.steps; ++i) {
-        if ((mask >> i & 1u) != 0) step(seedOf(seed, 10 + i), snaps, solid);
+        if ((mask >> i & 1u) != 0) step(seedOf(seed, 10 + i), snaps, isWide, solid);
     }
     Draws last(seedOf(seed, 2), false);
     const gp_Trsf place = placement(last);
     solid.shape = BRepBuilderAPI_Transform(solid.shape, place, true).Shape();
+    if (isWide && last.below(5) == 0) {
+        gp_Trsf away;
+        away.SetTranslation(gp_Vec(last.direction()) * 1e5 * cornersOf(solid.shape).diagonal());
+        solid.shape = BRepBuilderAPI_Transform(solid.shape, away, true).Shape();
+        solid.recipe += " far";
+    }
     if (place.ScaleFactor() != 1.0) solid.recipe += " x" + std::to_string(place.ScaleFactor());
     return solid;
 }

@@ -45,6 +45,8 @@ constexpr const char* kUsage =
     "solid_fuzz [--solids N (50 x MESHER_TEST_EFFORT)] [--seed S] [--from I] [--steps MASK] [--cpu SECONDS] "
     "[--memory MEGABYTES]\n"
     "           [--finest N]     sizes are drawn from a 6th to an Nth of the diagonal. DEFAULT: 15\n"
+    "           [--wide 0|1]     also uneven fillets and chamfers, solids side by side, places far away. "
+    "DEFAULT: 0\n"
     "           [--resume FILE]  lines of solids that are done: those are not meshed again\n"
     "           [--keep FOLDER]  where models that fail are kept\n"
     "           [--refused 0|1]  whether refusals count as failures. DEFAULT: 0\n"
@@ -61,6 +63,7 @@ struct Options
     std::uint64_t finest = 15;
     std::filesystem::path resume;
     std::filesystem::path keep;
+    bool isWide = false;
     bool isRefusalFailure = false;
     bool isVerbose = false;
 };
@@ -90,6 +93,8 @@ std::optional<Options> parseOptions(int count, char** words)
             options.resume = words[i + 1];
         else if (name == "--keep")
             options.keep = words[i + 1];
+        else if (name == "--wide")
+            options.isWide = value != 0;
         else if (name == "--refused")
             options.isRefusalFailure = value != 0;
         else if (name == "--verbose")
@@ -145,7 +150,7 @@ public:
     std::string run(std::uint32_t mask, const std::filesystem::path& file)
     {
         enter_("kernel", kKernelSeconds);
-        solid_ = randomSolid(seed_, mask);
+        solid_ = randomSolid(seed_, mask, options_.isWide);
         if (solid_.shape.IsNull() || !BRepCheck_Analyzer(solid_.shape).IsValid())
             return answer("skipped", "the kernel says that it is not valid");
         if (!BRepTools::Write(solid_.shape, file.c_str())) return answer("failed", "no place for the model");

@@ -229,6 +229,8 @@ private:
         for (std::uint32_t i = 0; i < model_.faces.size(); ++i) {
             const BrepFaceId id(i);
             const TopoDS_Shape& shape = shapes(static_cast<int>(i) + 1);
+            // However narrow it is: the slack of its edges may be more than its area.
+            if (!(faces_[id].measure > 0.0)) return nameOf(id) + " has no facets";
             const double slack =
                 kQuadrature * faces_[id].measure + faces_[id].shrinkage + slackOfLoops(model_.faces[id]);
             const double found = faces_[id].measure;

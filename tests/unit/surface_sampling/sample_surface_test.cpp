@@ -218,6 +218,36 @@ TEST(SurfaceCertificate, RefinesAThinShellUntilItsWallsDoNotCross)
     expectSound(model, *result->surface);
 }
 
+TEST(SurfaceCertificate, FindsTheIntersectionsOfTheFacetsAskedFor)
+{
+    const BrepModel model =
+        together(std::move(*makeSphere(kTilted, 1.0)), *makeSphere(Axes{kTilted.origin}, 0.985));
+    SurfaceSamplingOptions options;
+    options.facets.maxSize = 0.5;
+    options.maxCertificateRounds = -1;
+    RunContext context;
+    const Result<SurfaceSample> sample = sampleSurface(model, options, context);
+    ASSERT_TRUE(sample.hasValue());
+    const SurfaceMesh& mesh = sample->surface->mesh();
+    const auto pairsOf = [](const std::vector<FacetIntersection>& found) {
+        std::vector<std::pair<FacetId, FacetId>> pairs;
+        for (const FacetIntersection& each : found) pairs.emplace_back(each.first, each.second);
+        return pairs;
+    };
+    const auto all = pairsOf(findFacetIntersections(model, mesh, context));
+    FacetMarks asked(mesh.facets.size(), 0);
+    EXPECT_TRUE(findFacetIntersections(model, mesh, asked, context).empty());
+    // None, a few far from one another, and many, of those that do meet others.
+    for (const std::size_t step : {50, 3}) {
+        for (std::size_t i = 0; i < all.size(); i += step) asked[all[i].first] = 1;
+        auto expected = all;
+        std::erase_if(expected, [&](const auto& p) { return asked[p.first] == 0 && asked[p.second] == 0; });
+        EXPECT_FALSE(expected.empty());
+        EXPECT_LT(expected.size(), all.size());
+        EXPECT_EQ(pairsOf(findFacetIntersections(model, mesh, asked, context)), expected);
+    }
+}
+
 TEST(SurfaceCertificate, NamesTheFacesThatCross)
 {
     const BrepModel model =
