@@ -78,7 +78,7 @@ std::optional<SplitPlace> equalVariationPlace(const PlanarDomain& domain, const 
 {
     const Subcurve& subcurve = boundary.subcurves[s];
     if (boundary.edgeLength(s) < boundary.resolution) return std::nullopt;
-    const double t = domain.variation(subcurve.curve).balancedSplit(subcurve.part.first, subcurve.part.last);
+    const double t = domain.variation(subcurve.curve).equalSplit(subcurve.part.first, subcurve.part.last);
     return placeAt(domain, boundary, s, t);
 }
 
