@@ -64,6 +64,9 @@ public:
     /// Makes a split that is Ready, with nothing changed since it was evaluated, or one that is accepted.
     virtual SurfaceSplitResult commit(const SurfaceSplit& split) = 0;
 
+    /// Whether the facet stays as it is, whatever encroaches upon it: it is never split, and vertices keep away from it.
+    [[nodiscard]] virtual bool isHeld(FacetId /*facet*/) const { return false; }
+
     /// Whether two facets of one face share an edge that is no segment and may become the other diagonal of the two.
     [[nodiscard]] virtual bool maySwap(FacetId /*first*/, FacetId /*second*/) const { return false; }
     /// Puts the other diagonal, and two facets with new ids, in the place of two that may be swapped.

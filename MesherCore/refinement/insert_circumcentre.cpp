@@ -1,5 +1,7 @@
 #include "refinement/insert_circumcentre.h"
 
+#include "predicates/insphere.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,6 +39,7 @@ Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
         ++state_.counts.abortedInsertions;
         return Attempt::Impossible;
     }
+    if (const auto fan = fanCrowdedBy(cavity)) return insertCentreOf(*fan, tet);
     insert(region, cavity.repairs > 0);
     return Attempt::Inserted;
 }
@@ -62,6 +65,7 @@ Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
         return Attempt::Impossible;
     const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
     if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) return Attempt::Impossible;
+    if (const auto fan = fanCrowdedBy(cavity)) return insertCentreOf(*fan, tet);
     ++state_.counts.shortInsertions;
     insert(region, cavity.repairs > 0);
     return Attempt::Inserted;
@@ -91,6 +95,35 @@ bool CircumcentreInsertion::hasRoomAtCorners(TetId tet, const Vec3& point) const
     const auto& corners = state_.mesh.tet(tet).vertex;
     return std::all_of(corners.begin(), corners.end(),
                        [&](VertexId v) { return length(state_.mesh.position(v) - point) >= room; });
+}
+
+std::optional<std::uint32_t> CircumcentreInsertion::fanCrowdedBy(const Cavity3d& cavity) const
+{
+    if (!state_.fans.hasAny()) return {};
+    for (const CavityFace3d& face : cavity.faces) {
+        if (const auto fan = state_.fans.crowdedBy(cavity.point, face.vertex)) return fan;
+    }
+    return {};
+}
+
+/// In the place of the circumcentre, which lies beside it.
+Attempt CircumcentreInsertion::insertCentreOf(std::uint32_t fan, TetId tet)
+{
+    const std::optional<Vec3> centre = state_.fans.freeCentre(fan);
+    if (!centre) return Attempt::Impossible;
+    const auto& v = state_.mesh.tet(tet).vertex;
+    const Vec3 point = onGrid(*centre);
+    const bool isInConflict =
+        insphere(state_.t.delaunay->filter(), state_.mesh.position(v[0]), state_.mesh.position(v[1]),
+                 state_.mesh.position(v[2]), state_.mesh.position(v[3]), point) == Sign::Positive;
+    if (!isInConflict) return Attempt::Impossible;
+    const RegionId region = state_.mesh.region(tet);
+    if (state_.t.delaunay->findConflicts(point, tet, kOrdinaryConflicts).isCut) return Attempt::Impossible;
+    const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
+    if (cavity.status != CavityStatus::Ready) return Attempt::Impossible;
+    insert(region, cavity.repairs > 0);
+    state_.fans.take(fan);
+    return Attempt::Inserted;
 }
 
 /// Whether all of the cavity's surface that counts keeps that away.

@@ -6,6 +6,7 @@
 #include "refinement/refinement_state3d.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace mesher {
 
@@ -42,6 +43,8 @@ private:
     [[nodiscard]] double crossingOf(TetFace face, const Vec3& start, const Vec3& end) const;
     [[nodiscard]] double roomOf(TetId tet) const;
     [[nodiscard]] bool hasRoomAtCorners(TetId tet, const Vec3& point) const;
+    [[nodiscard]] std::optional<std::uint32_t> fanCrowdedBy(const Cavity3d& cavity) const;
+    Attempt insertCentreOf(std::uint32_t fan, TetId tet);
     [[nodiscard]] bool hasRoom(const Cavity3d& cavity, TetId tet) const;
     bool wouldShrink(TetId tet, std::span<const VertexId> entity);
     [[nodiscard]] double shortestSquaredEdge(TetId tet) const;

@@ -5,6 +5,7 @@
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_splitter.h"
 #include "refinement/delaunay_refinement3d.h"
+#include "refinement/kept_fans.h"
 #include "refinement/length_scale3d.h"
 #include "refinement/refinement_criteria.h"
 #include "refinement/small_angle_guard.h"
@@ -25,6 +26,7 @@ struct RefinementState3d
           scale(t, options.sizing),
           criteria(mesh, scale, options.quality),
           guard(t, splitter.mesh()),
+          fans(t, splitter),
           walls(t),
           ledger(t, options.allowance),
           flips(*t.delaunay, DelaunayPart::Inside),
@@ -75,6 +77,7 @@ struct RefinementState3d
     LengthScale3d scale;
     RefinementCriteria3d criteria;
     SmallAngleGuard guard;
+    KeptFans fans;
     ThinWalls walls;
     WorkLedger3d ledger;
     ConstrainedFlips3d flips;

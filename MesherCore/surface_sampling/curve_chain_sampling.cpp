@@ -92,7 +92,7 @@ public:
             if (auto sampled = sampleEdge(BrepEdgeId(e)); !sampled) return sampled.error();
         }
         if (auto separated = separateTwins(); !separated) return separated.error();
-        protectSmallAngles(chains_, nodes_);
+        protectSmallAngles(chains_, nodes_, options_);
         return std::move(chains_);
     }
 

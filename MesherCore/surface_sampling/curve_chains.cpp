@@ -116,6 +116,22 @@ std::optional<SegmentSplit> CurveChains::split(SegmentId s, IdVector<NodeId, Mes
     return split(s, *place, nodes);
 }
 
+double CurveChains::shellAround(BrepVertexId tip) const
+{
+    for (const SmallAngleAtVertex& complex : smallAngles_) {
+        if (complex.isAroundTip && complex.apex == tip) return std::ldexp(1.0, complex.firstShell);
+    }
+    return 0.0;
+}
+
+bool CurveChains::isOnShellAround(BrepVertexId tip, NodeId node) const
+{
+    if (node.value >= shells_.size() || !shells_[node].complex.isValid()) return false;
+    const SmallAngleAtVertex& complex = smallAngles_[shells_[node].complex];
+    return complex.isAroundTip && complex.apex == tip &&
+           shells_[node].radius == std::ldexp(1.0, complex.firstShell);
+}
+
 bool CurveChains::spansSmallAngle(NodeId a, NodeId b) const
 {
     if (a.value >= shells_.size() || b.value >= shells_.size()) return false;

@@ -58,6 +58,7 @@ struct SmallAngleAtVertex
     std::vector<BrepEdgeId> edges;
     double smallestAngle = 0.0;  ///< degrees
     int firstShell = 0;          ///< the shell that protects it has radius 2^firstShell; model units
+    bool isAroundTip = false;    ///< a face has its tip there, and all edges are cut at the shell
 };
 
 /// The curves of a model, each cut once into segments that all faces beside it share.
@@ -113,6 +114,10 @@ public:
     [[nodiscard]] AngleComplexId complexOf(SegmentId s) const { return records_[s].complex; }
     /// Two nodes on one shell of one complex: the short side of a facet that no refinement can better.
     [[nodiscard]] bool spansSmallAngle(NodeId a, NodeId b) const;
+    /// The radius of the shell that cuts the edges around the tip of a face; 0 where there is none.
+    [[nodiscard]] double shellAround(BrepVertexId tip) const;
+    /// Is the node where that shell cuts an edge?
+    [[nodiscard]] bool isOnShellAround(BrepVertexId tip, NodeId node) const;
     /// Segments that could not be cut at their shell: their distance from the apex is not monotone, or they are too short.
     [[nodiscard]] std::size_t unprotectedCount() const { return unprotected_; }
     ///@}

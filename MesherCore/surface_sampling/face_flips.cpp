@@ -29,7 +29,8 @@ void attach(FaceMesh& mesh, EdgeLink side, const OuterSide& outer)
 FlipObstacle obstacleToFlip(const FaceMesh& mesh, const FaceGeometry& geometry, EdgeLink side)
 {
     const EdgeLink other = mesh.across(side);
-    if (!other.isValid() || mesh.segment(side).isValid()) return FlipObstacle::Constrained;
+    if (!other.isValid() || mesh.segment(side).isValid() || mesh.isOfFan(side))
+        return FlipObstacle::Constrained;
     const VertexId near = mesh.apex(side), far = mesh.apex(other);
     const NodeId node = mesh.vertex(near).node;
     const bool isOneNode = node.isValid() && node == mesh.vertex(far).node;
@@ -79,7 +80,7 @@ EdgeLink flip(FaceMesh& mesh, const FaceGeometry& geometry, EdgeLink side)
 bool isLocallyDelaunay(const FaceMesh& mesh, EdgeLink side)
 {
     const EdgeLink other = mesh.across(side);
-    if (!other.isValid() || mesh.segment(side).isValid()) return true;
+    if (!other.isValid() || mesh.segment(side).isValid() || mesh.isOfFan(side)) return true;
     return oppositeAngleExcess(mesh.position(mesh.from(side)), mesh.position(mesh.to(side)),
                                mesh.position(mesh.apex(side)),
                                mesh.position(mesh.apex(other))) <= kDelaunayTie;

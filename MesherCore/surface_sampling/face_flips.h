@@ -13,7 +13,7 @@ namespace mesher {
 enum class FlipObstacle
 {
     None,
-    Constrained,  ///< a segment, or the border of the face
+    Constrained,  ///< a segment, a side of a ring, or the border of the face
     Joined,       ///< the new edge is there already
     Folds         ///< the new triangles would look away from the surface, more than the present ones
 };

@@ -21,8 +21,8 @@ class MeshBuilder
 {
 public:
     MeshBuilder(FaceMesh& mesh, const FaceGeometry& geometry, const IdVector<NodeId, MeshNode>& nodes,
-                const SegmentsByEnds& segments)
-        : mesh_(mesh), geometry_(geometry), nodes_(nodes), segments_(segments)
+                const SegmentsByEnds& segments, std::span<const NodeId> ringNodes)
+        : mesh_(mesh), geometry_(geometry), nodes_(nodes), segments_(segments), ringNodes_(ringNodes)
     {
     }
 
@@ -103,6 +103,8 @@ private:
         // Nodes inside of the face are the face's own until the faces are put together.
         vertex.isFree = nodes_[node].entity.dimension == 2;
         if (!vertex.isFree) vertex.node = node;
+        vertex.isOnRing = std::binary_search(ringNodes_.begin(), ringNodes_.end(), node);
+        if (vertex.isOnRing) mesh_.noteRing();
         const VertexId v = mesh_.addVertex(vertex);
         vertexOf_.insert(node, v);
         return v;
@@ -112,6 +114,7 @@ private:
     const FaceGeometry& geometry_;
     const IdVector<NodeId, MeshNode>& nodes_;
     const SegmentsByEnds& segments_;
+    std::span<const NodeId> ringNodes_;
     IndexedMap<NodeId, VertexId> vertexOf_;
 };
 
@@ -136,15 +139,30 @@ void FaceVertex::keepNormal(const Vec3& other)
 
 Result<FaceMesh> FaceMesh::make(BrepFaceId face, const FaceGeometry& geometry,
                                 std::span<const SurfaceFacet> facets, const IdVector<NodeId, MeshNode>& nodes,
-                                const SegmentsByEnds& segments)
+                                const SegmentsByEnds& segments, std::span<const NodeId> ringNodes)
 {
     FaceMesh mesh;
     mesh.face_ = face;
-    MeshBuilder builder(mesh, geometry, nodes, segments);
+    MeshBuilder builder(mesh, geometry, nodes, segments, ringNodes);
     for (const SurfaceFacet& facet : facets) builder.addFacet(facet);
     if (Result<void> linked = builder.linkAll(face); !linked) return linked.error();
     builder.separateFans();
     return mesh;
+}
+
+bool FaceMesh::isOfFan(TriangleId t) const
+{
+    if (!hasRings_) return false;
+    const auto& v = triangles_[t].v;
+    for (unsigned i = 0; i < 3; ++i) {
+        if (vertices_[v[i]].isPole()) return isOnRing(v[(i + 1) % 3], v[(i + 2) % 3]);
+    }
+    return false;
+}
+
+void FaceMesh::releaseFan(TriangleId t)
+{
+    for (const VertexId v : triangles_[t].v) vertices_[v].isOnRing = false;
 }
 
 void FaceMesh::removeVertex(VertexId v)

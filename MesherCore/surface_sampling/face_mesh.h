@@ -36,6 +36,7 @@ struct FaceVertex
     bool isSingularV = false;
     bool isOnShell =
         false;  ///< free, and halves a side between two nodes of a shell around the apex of a small angle
+    bool isOnRing = false;  ///< around a tip of the face: sides between two such vertices stay
 
     [[nodiscard]] static FaceVertex of(const SurfaceFacts& facts);
     /// Gives the normal up unless another image of the vertex has the same: a face may meet itself at an angle.
@@ -81,13 +82,14 @@ using SegmentsByEnds = IndexedMap<std::pair<NodeId, NodeId>, SegmentId>;
 class FaceMesh
 {
 public:
-    /// From the facets of one face, that are a 2-manifold with boundary and name their nodes in `nodes`.
+    /// From the facets of one face, that are a 2-manifold with boundary and name their nodes in `nodes`; `ringNodes` ascend.
     /// Refuses      a side that more than two facets use or that two use the same way, and one at the border that is no
     ///              segment: IntersectingConstraints, with the face and the point
     [[nodiscard]] static Result<FaceMesh> make(BrepFaceId face, const FaceGeometry& geometry,
                                                std::span<const SurfaceFacet> facets,
                                                const IdVector<NodeId, MeshNode>& nodes,
-                                               const SegmentsByEnds& segments);
+                                               const SegmentsByEnds& segments,
+                                               std::span<const NodeId> ringNodes = {});
 
     [[nodiscard]] BrepFaceId face() const { return face_; }
     [[nodiscard]] std::size_t vertexSlots() const { return vertices_.size(); }
@@ -115,6 +117,28 @@ public:
         return triangles_[side.triangle()].s[side.edge()];
     }
 
+    /// A side of the ring around a tip, beyond which facets are left as they are.
+    [[nodiscard]] bool isOnRing(VertexId a, VertexId b) const
+    {
+        return vertices_[a].isOnRing && vertices_[b].isOnRing;
+    }
+    [[nodiscard]] bool isOnRing(EdgeLink side) const { return isOnRing(from(side), to(side)); }
+    /// A side from a tip to the ring around it.
+    [[nodiscard]] bool isSpoke(VertexId a, VertexId b) const
+    {
+        return (vertices_[a].isOnRing && vertices_[b].isPole()) ||
+               (vertices_[b].isOnRing && vertices_[a].isPole());
+    }
+    [[nodiscard]] bool isSpoke(EdgeLink side) const { return isSpoke(from(side), to(side)); }
+    /// Of the fan around a tip, which stays as it is.
+    [[nodiscard]] bool isOfFan(EdgeLink side) const { return isOnRing(side) || isSpoke(side); }
+    /// A facet between a tip and the ring around it.
+    [[nodiscard]] bool isOfFan(TriangleId t) const;
+    /// Some vertices are on rings.
+    void noteRing() { hasRings_ = true; }
+    /// Gives the ring at the facet up, so that its facets may be split.
+    void releaseFan(TriangleId t);
+
     VertexId addVertex(const FaceVertex& vertex) { return vertices_.push_back(vertex); }
     void removeVertex(VertexId v);
     /// A free slot, or a new one, with the next generation; its content is to be written by the caller.
@@ -139,6 +163,7 @@ public:
     void forEachTriangleAround(VertexId v, Visit&& visit) const;
 
 private:
+    bool hasRings_ = false;
     BrepFaceId face_;
     IdVector<VertexId, FaceVertex> vertices_;
     IdVector<TriangleId, FaceTriangle> triangles_;

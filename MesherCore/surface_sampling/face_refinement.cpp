@@ -1,5 +1,6 @@
 #include "surface_sampling/face_refinement.h"
 
+#include "surface_sampling/apex_rings.h"
 #include "surface_sampling/face_folds.h"
 #include "surface_sampling/face_points.h"
 #include "surface_sampling/face_seeds.h"
@@ -291,12 +292,14 @@ private:
 
 }  // namespace
 
-std::size_t seedFace(const BrepFace& face, FaceTriangulation& t)
+std::size_t seedFace(const BrepModel& model, BrepFaceId id, const CurveChains& chains, FaceTriangulation& t)
 {
+    const BrepFace& face = model.faces[id];
     // What is there already does for a seed beside it.
     constexpr double kClearance = 0.02;
     std::size_t inserted = 0;
     for (const Vec2 seed : seedsOf(face)) {
+        if (isAtFan(model, id, chains, face.surface->position(seed))) continue;
         if (insertFacePoint(face, seed, TriangleId(), t, kClearance)) ++inserted;
     }
     return inserted;

@@ -18,7 +18,8 @@ struct FaceRefinement
 };
 
 /// Inserts a grid of points on faces that are curved both ways; the number of points.
-std::size_t seedFace(const BrepFace& face, FaceTriangulation& t);
+std::size_t seedFace(const BrepModel& model, BrepFaceId face, const CurveChains& chains,
+                     FaceTriangulation& t);
 
 /// Inserts points into a face's triangulation until its lifted triangles follow the surface: the middles of the sides along
 /// which the surface turns most. Where that side is a piece of the outline its segment is too coarse, and is named instead.

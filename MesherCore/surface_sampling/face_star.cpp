@@ -97,6 +97,7 @@ bool FaceStar::isOnPolygon(VertexId v) const
 bool FaceStar::isToBeRemoved(const StarSide& side) const
 {
     if (extent_ == StarExtent::Least || side.segment.isValid() || !side.outer.isValid()) return false;
+    if (mesh_.isOnRing(side.a, side.b)) return false;
     if (sides_.size() + open_.size() >= kMostSides) return false;
     const VertexId apex = mesh_.apex(side.outer);
     const FaceTriangle& behind = mesh_.triangle(side.outer.triangle());

@@ -22,6 +22,7 @@ struct FacePoint
     NodeId node;  ///< invalid for points inside of the face
     bool isPole = false;
     bool isPoleAlongU = false;
+    bool isOnRing = false;  ///< around the tip of the face, see apex_rings.h
 };
 
 /// The constrained Delaunay triangulation of a face's outline in the plane. Region 1 is the face.

@@ -43,6 +43,7 @@ FaceWalk walkToPoint(const FaceMesh& mesh, const FaceGeometry& geometry, Triangl
             walk.side = exit;
             return walk;
         }
+        if (mesh.isOnRing(exit)) return walk;
         walk.shift = walk.shift + mesh.shiftAcross(geometry, exit);
         const EdgeLink entry = mesh.across(exit);
         const unsigned next =

@@ -30,20 +30,36 @@ FacetCriteria::FacetCriteria(const FacetCriteriaOptions& options)
 {
 }
 
+double FacetCriteria::leastAt(const Vec3& point) const
+{
+    double least = options_.leastCurvatureSize;
+    for (const TipResolution& tip : options_.tips) {
+        if (squaredLength(point - tip.tip) < tip.reach * tip.reach) least = std::max(least, tip.leastSize);
+    }
+    return least;
+}
+
 double FacetCriteria::sizeAt(const Vec3& point, double curvatureRadius) const
 {
     double size = options_.maxSize;
     if (options_.elementsPerTurn > 0.0) {
         const double turn = 2.0 * std::numbers::pi * curvatureRadius / options_.elementsPerTurn;
-        size = std::min(size, std::max(turn, options_.leastCurvatureSize));
+        size = std::min(size, std::max(turn, leastAt(point)));
     }
     if (options_.maxSag > 0.0) {
         // No edge is longer than sqrt(2) times its size.
         const double chord = std::sqrt(4.0 * curvatureRadius * options_.maxSag);
-        size = std::min(size, std::max(chord, options_.leastCurvatureSize));
+        size = std::min(size, std::max(chord, leastAt(point)));
     }
     if (options_.sizes != nullptr) size = std::min(size, options_.sizes->sizeAt(point));
     return size;
+}
+
+bool FacetCriteria::crowdsTip(const Vec3& point) const
+{
+    return std::any_of(options_.tips.begin(), options_.tips.end(), [&](const TipResolution& tip) {
+        return squaredLength(point - tip.tip) < tip.clearance * tip.clearance;
+    });
 }
 
 bool FacetCriteria::isTooLong(const FaceMesh& mesh, EdgeLink side) const
@@ -54,11 +70,12 @@ bool FacetCriteria::isTooLong(const FaceMesh& mesh, EdgeLink side) const
     return squaredLength(b.position - a.position) > wanted * wanted;
 }
 
-bool FacetCriteria::isHiding(double agreement, const FacetShape& shape) const
+bool FacetCriteria::isHiding(const FaceVertex& a, const FaceVertex& b, const FaceVertex& c,
+                             const FacetShape& shape) const
 {
-    const double least = options_.leastCurvatureSize;
-    return leastAgreement_ > 0.0 && agreement < leastAgreement_ &&
-           shape.squaredSide[shape.longest] > least * least;
+    if (!(leastAgreement_ > 0.0 && normalAgreement(a, b, c) < leastAgreement_)) return false;
+    const double least = std::max({leastAt(a.position), leastAt(b.position), leastAt(c.position)});
+    return shape.squaredSide[shape.longest] > least * least;
 }
 
 bool FacetCriteria::hidesSurface(const FaceMesh& mesh, TriangleId t) const
@@ -66,7 +83,7 @@ bool FacetCriteria::hidesSurface(const FaceMesh& mesh, TriangleId t) const
     const FaceTriangle& record = mesh.triangle(t);
     const FaceVertex &a = mesh.vertex(record.v[0]), &b = mesh.vertex(record.v[1]),
                      &c = mesh.vertex(record.v[2]);
-    return isHiding(normalAgreement(a, b, c), FacetShape::of(a.position, b.position, c.position));
+    return isHiding(a, b, c, FacetShape::of(a.position, b.position, c.position));
 }
 
 FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
@@ -87,8 +104,7 @@ FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
     }
     // How far off the normals are is no length, but a facet that hides the surface comes before all others of its size.
     constexpr double kHidden = 4.0;
-    if (const double agreement = normalAgreement(a, b, c); isHiding(agreement, shape))
-        excess = std::max(excess, kHidden * (2.0 - agreement));
+    if (isHiding(a, b, c, shape)) excess = std::max(excess, kHidden * (2.0 - normalAgreement(a, b, c)));
     // Whole octaves, in which facets leave the queue in the order of their making: neighbours follow each other, which is
     // what the cache wants, and no worst facet waits for one half as bad.
     if (excess > 1.0) return {FacetNeed::Size, std::exp2(std::ilogb(excess) / 2)};

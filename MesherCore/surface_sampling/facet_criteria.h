@@ -5,10 +5,20 @@
 #include "surface_sampling/facet_measures.h"
 
 #include <limits>
+#include <vector>
 
 namespace mesher {
 
 /// What facets are asked to be.
+/// Around the tip of a face curvature asks for nothing finer than the ring there.
+struct TipResolution
+{
+    Vec3 tip;
+    double reach = 0.0;  ///< of the size, from the tip
+    double leastSize = 0.0;
+    double clearance = 0.0;  ///< distance from the tip that vertices outside of the ring keep
+};
+
 struct FacetCriteriaOptions
 {
     /// Smallest angle wanted, degrees; 0 asks for none. Refinement is proven to end up to 20.7 [thesis §3.3.2.3], in practice
@@ -30,6 +40,7 @@ struct FacetCriteriaOptions
     /// Curvature and normals ask for no edges shorter than this, model units: it keeps the apex of a cone, and a crease, from
     /// being refined without end.
     double leastCurvatureSize = 0.0;
+    std::vector<TipResolution> tips;
 };
 
 enum class FacetNeed
@@ -57,10 +68,15 @@ public:
     [[nodiscard]] bool hidesSurface(const FaceMesh& mesh, TriangleId t) const;
     /// The edge length wanted at a point of the surface, from its position and radius of curvature.
     [[nodiscard]] double sizeAt(const Vec3& point, double curvatureRadius) const;
+    /// Is the point so near to the fan around a tip that facets between them could not be good?
+    [[nodiscard]] bool crowdsTip(const Vec3& point) const;
     [[nodiscard]] bool isTooLong(const FaceMesh& mesh, EdgeLink side) const;
 
 private:
-    [[nodiscard]] bool isHiding(double agreement, const FacetShape& shape) const;
+    /// The size below which curvature asks for nothing.
+    [[nodiscard]] double leastAt(const Vec3& point) const;
+    [[nodiscard]] bool isHiding(const FaceVertex& a, const FaceVertex& b, const FaceVertex& c,
+                                const FacetShape& shape) const;
 
     FacetCriteriaOptions options_;
     double squaredRatioLimit_;

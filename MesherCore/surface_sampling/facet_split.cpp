@@ -239,10 +239,17 @@ FacetSplitStatus FacetSplitter::evaluateMiddleOf(EdgeLink side, StarExtent exten
 FacetSplitStatus FacetSplitter::judgeStar()
 {
     const Vec3& point = star_.vertex().position;
+    if (criteria_.crowdsTip(point)) return FacetSplitStatus::TooSmall;
+    for (const TriangleId t : star_.cavity()) {
+        if (mesh_.isOfFan(t)) return FacetSplitStatus::TooSmall;
+    }
     for (const StarSide& side : star_.sides()) {
-        if (!side.segment.isValid()) continue;
-        if (encroaches(point, mesh_.position(side.a), mesh_.position(side.b)))
-            encroached_.push_back(side.segment);
+        const bool isOnRing = mesh_.isOnRing(side.a, side.b);
+        if (!side.segment.isValid() && !isOnRing) continue;
+        if (!encroaches(point, mesh_.position(side.a), mesh_.position(side.b))) continue;
+        // A side of a ring is not split for what is beside it.
+        if (isOnRing) return FacetSplitStatus::TooSmall;
+        encroached_.push_back(side.segment);
     }
     return encroached_.empty() ? judgeFacetsOfStar() : FacetSplitStatus::Encroaches;
 }

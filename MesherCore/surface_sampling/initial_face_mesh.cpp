@@ -1,5 +1,6 @@
 #include "surface_sampling/initial_face_mesh.h"
 
+#include "surface_sampling/apex_rings.h"
 #include "surface_sampling/face_folds.h"
 #include "surface_sampling/face_outline.h"
 #include "surface_sampling/face_points.h"
@@ -42,10 +43,21 @@ public:
                                       {from.uv, to.uv},
                                       piece.shift});
         }
+        collectRings();
         return std::move(mesh_);
     }
 
 private:
+    void collectRings()
+    {
+        for (std::uint32_t i = 0; i < t_.points.size(); ++i) {
+            const FacePoint& point = t_.points[VertexId(i)];
+            if (!point.isOnRing) continue;
+            const NodeId node = point.node.isValid() ? point.node : nodeOf_[VertexId(i)];
+            if (node.isValid()) mesh_.ringNodes.push_back(node);
+        }
+    }
+
     NodeId nodeOf(VertexId v)
     {
         const FacePoint& point = t_.points[v];
@@ -124,15 +136,19 @@ struct Shaping
 };
 
 /// Refines by turns until the facets follow the surface and each of their sides is one of its own.
-Shaping shapeFace(const BrepFace& face, const FaceOutline& outline, const CurveChains& chains,
-                  const InitialFaceMeshOptions& options, std::span<const std::pair<NodeId, NodeId>> taken,
-                  FaceTriangulation& t)
+Shaping shapeFace(const BrepModel& model, BrepFaceId id, const FaceOutline& outline,
+                  const CurveChains& chains, const InitialFaceMeshOptions& options,
+                  std::span<const std::pair<NodeId, NodeId>> taken, FaceTriangulation& t)
 {
     constexpr int kMostTurns = 40;
+    const BrepFace& face = model.faces[id];
     Shaping shaping;
     if (!t.tooCoarse.empty()) return shaping;
     const bool isCurved = face.surface->kind() != SurfaceKind::Plane;
-    if (isCurved) seedFace(face, t);
+    if (isCurved) {
+        insertApexRings(model, id, chains, t);
+        seedFace(model, id, chains, t);
+    }
     for (int turn = 0; turn < kMostTurns; ++turn) {
         if (isCurved) {
             const FaceRefinement refined = followSurface(face, outline, chains, options, t);
@@ -169,7 +185,7 @@ Result<InitialFaceMesh> triangulateFace(const BrepModel& model, BrepFaceId face,
     if (!outline) return outline.error();
     auto triangulation = triangulateOutline(model, face, chains, nodes, *outline);
     if (!triangulation) return triangulation.error();
-    const Shaping shaping = shapeFace(model.faces[face], *outline, chains, options, taken, *triangulation);
+    const Shaping shaping = shapeFace(model, face, *outline, chains, options, taken, *triangulation);
     if (shaping.outcome != ShapeOutcome::Done) return unshaped(face, *triangulation, shaping.outcome);
     if (!triangulation->tooCoarse.empty()) {
         InitialFaceMesh coarse;

@@ -47,6 +47,8 @@ struct InitialFaceMesh
     /// Nodes inside of the face that `facets` use, ids from `firstInteriorNode` on.
     std::vector<MeshNode> interiorNodes;
     NodeId firstInteriorNode;
+    /// On rings around the tips of the face, see apex_rings.h; curves' nodes and interior ones.
+    std::vector<NodeId> ringNodes;
     /// In the order of the loops; a seam's segments come twice, the two images glued through the same nodes.
     std::vector<FaceBoundaryPiece> boundary;
     /// Facets that depart from the surface by more than the option allows, and are too small to be split, or too narrow for the

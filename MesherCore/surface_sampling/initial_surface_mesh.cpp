@@ -176,14 +176,18 @@ private:
                 result_.failures.emplace_back(f, *errors_[f]);
                 mesh.facets.clear();
                 mesh.interiorNodes.clear();
+                mesh.ringNodes.clear();
             }
             const NodeId first(static_cast<std::uint32_t>(nodes_.size()));
+            const auto renumber = [&](NodeId& node) {
+                if (!(node < mesh.firstInteriorNode))
+                    node = NodeId(first.value + (node.value - mesh.firstInteriorNode.value));
+            };
             for (SurfaceFacet& facet : mesh.facets) {
-                for (NodeId& node : facet.node) {
-                    if (!(node < mesh.firstInteriorNode))
-                        node = NodeId(first.value + (node.value - mesh.firstInteriorNode.value));
-                }
+                for (NodeId& node : facet.node) renumber(node);
             }
+            for (NodeId& node : mesh.ringNodes) renumber(node);
+            std::sort(mesh.ringNodes.begin(), mesh.ringNodes.end());
             mesh.firstInteriorNode = first;
             for (const MeshNode& node : mesh.interiorNodes) nodes_.push_back(node);
         }

@@ -103,6 +103,29 @@ double largestGapOf(const BrepFace& face)
     return largest;
 }
 
+/// The rings of a face, of which the mesh has the fans. Beyond their reach facets that are to follow the curvature are no shorter
+/// than the sides of the ring.
+std::vector<TipResolution> tipsOf(const FaceMesh& mesh, double elementsPerTurn)
+{
+    constexpr double kSidesOfRing = 6.0, kLeastReach = 2.0, kSlack = 1.1, kClearance = 0.4;
+    std::vector<TipResolution> tips;
+    for (std::uint32_t i = 0; i < mesh.triangleSlots(); ++i) {
+        if (!mesh.triangle(TriangleId(i)).isAlive || !mesh.isOfFan(TriangleId(i))) continue;
+        const auto& v = mesh.triangle(TriangleId(i)).v;
+        unsigned k = 0;
+        while (!mesh.vertex(v[k]).isPole()) ++k;
+        const Vec3 &tip = mesh.position(v[k]), &a = mesh.position(v[nextCorner(k)]),
+                   &b = mesh.position(v[previousCorner(k)]);
+        auto known =
+            std::find_if(tips.begin(), tips.end(), [&](const TipResolution& t) { return t.tip == tip; });
+        if (known == tips.end()) known = tips.insert(tips.end(), {tip, 0.0, 0.0, 0.0});
+        known->reach = std::max(kLeastReach, elementsPerTurn / kSidesOfRing) * length(a - tip);
+        known->clearance = std::max(known->clearance, length(a - tip) + kClearance * length(b - a));
+        known->leastSize = std::max(known->leastSize, kSlack * length(b - a));
+    }
+    return tips;
+}
+
 }  // namespace
 
 void SampledFaces::makeFace(BrepFaceId f, const InitialFaceMesh& initial,
@@ -110,7 +133,8 @@ void SampledFaces::makeFace(BrepFaceId f, const InitialFaceMesh& initial,
 {
     if (initial.facets.empty()) return;
     const BrepFace& face = model_.faces[f];
-    Result<FaceMesh> mesh = FaceMesh::make(f, FaceGeometry(face), initial.facets, nodes, segmentsOf(f));
+    Result<FaceMesh> mesh =
+        FaceMesh::make(f, FaceGeometry(face), initial.facets, nodes, segmentsOf(f), initial.ringNodes);
     if (!mesh) {
         failures_.emplace_back(f, mesh.error());
         return;
@@ -119,6 +143,7 @@ void SampledFaces::makeFace(BrepFaceId f, const InitialFaceMesh& initial,
     ownOptions.splits.floor = std::max(options.splits.floor, 10.0 * face.tolerance);
     double& least = ownOptions.criteria.leastCurvatureSize;
     least = std::max(least, kLeastSizeInGaps * largestGapOf(face));
+    ownOptions.criteria.tips = tipsOf(*mesh, options.criteria.elementsPerTurn);
     faces_[f] = std::make_unique<SampledFace>(face, std::move(*mesh), boundary_, ownOptions);
 }
 

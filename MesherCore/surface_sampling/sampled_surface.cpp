@@ -109,13 +109,24 @@ void SampledSurface::appendStar(BrepFaceId f, const FaceStar& star, SurfaceSplit
     }
 }
 
+/// From the tip of a face to the ring around it, where facets stay as they are.
+bool SampledSurface::isSpoke(SegmentId segment) const
+{
+    const SurfaceSegment& whole = mesh_.segments[segment];
+    for (const BrepFaceId f : faces_->facesOf(whole.edge)) {
+        const SampledFace* face = faces_->face(f);
+        if (face != nullptr && face->refiner.isSpoke(whole.node)) return true;
+    }
+    return false;
+}
+
 void SampledSurface::evaluateSegment(SegmentId segment, SurfaceSplitExtent extent, SurfaceSplit& split)
 {
     reset(split);
     split.segment = segment;
     const CurveChains& chains = faces_->chains();
     const std::optional<SegmentPlace> place = chains.splitPlace(segment);
-    if (!place) {
+    if (!place || isSpoke(segment)) {
         split.status = SurfaceSplitStatus::TooSmall;
         return;
     }
@@ -136,6 +147,10 @@ void SampledSurface::evaluateFacet(FacetId facet, SurfaceSplitExtent extent, Sur
 {
     reset(split);
     const BrepFaceId f = mesh_.facets[facet].face;
+    if (isHeld(facet)) {
+        split.status = SurfaceSplitStatus::TooSmall;
+        return;
+    }
     FacetSplitter& splitter = faces_->face(f)->refiner.splitter();
     switch (splitter.evaluate(triangleOf_[facet], starExtentOf(extent), FacetNeed::Size)) {
         case FacetSplitStatus::NotFound: return;
@@ -268,6 +283,11 @@ EdgeLink SampledSurface::sideBetween(FacetId first, FacetId second) const
         if (other.isValid() && other.triangle() == triangleOf_[second]) return side;
     }
     return {};
+}
+
+bool SampledSurface::isHeld(FacetId facet) const
+{
+    return faces_->face(mesh_.facets[facet].face)->mesh.isOfFan(triangleOf_[facet]);
 }
 
 bool SampledSurface::maySwap(FacetId first, FacetId second) const

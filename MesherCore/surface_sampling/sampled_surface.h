@@ -24,6 +24,7 @@ public:
     void evaluateFacet(FacetId facet, SurfaceSplitExtent extent, SurfaceSplit& split) override;
     [[nodiscard]] bool accepts(const SurfaceSplit& split) const override;
     SurfaceSplitResult commit(const SurfaceSplit& split) override;
+    [[nodiscard]] bool isHeld(FacetId facet) const override;
     [[nodiscard]] bool maySwap(FacetId first, FacetId second) const override;
     std::array<FacetId, 2> swap(FacetId first, FacetId second) override;
 
@@ -39,6 +40,7 @@ private:
     void numberFacets(BrepFaceId f);
     [[nodiscard]] Vec2 insideBounds(BrepFaceId f, Vec2 uv) const;
     [[nodiscard]] EdgeLink sideBetween(FacetId first, FacetId second) const;
+    [[nodiscard]] bool isSpoke(SegmentId segment) const;
     void appendStar(BrepFaceId f, const FaceStar& star, SurfaceSplit& split) const;
     void commitFace(BrepFaceId f, const SurfaceSplit& split, SurfaceSplitResult& result);
 

@@ -1,11 +1,13 @@
 #include "surface_sampling/small_angles.h"
 
 #include "brep/curve_cuts.h"
+#include "surface_sampling/apex_rings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace mesher {
@@ -17,6 +19,18 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr double kAngleSlack = 1e-6;
 // Shells are made that much smaller, as exponents of two, before an apex is left unprotected.
 constexpr int kShellTries = 12;
+// A ring around a tip has six sides or so: it is the smaller the more segments are wanted on a turn.
+constexpr double kUsualPerTurn = 12.0;
+// Radius of a ring as a share of the edges that end in the tip, and in units of the largest sag: that of its sides is an
+// eighth of the radius at the most.
+constexpr double kRingOfEdge = 0.25, kRingOfSag = 7.0;
+
+/// The edges of one face that meet in its tip.
+struct EdgesAtTip
+{
+    std::vector<BrepEdgeId> edges;
+    double facetAngle = 0.0;  ///< degrees
+};
 
 /// The last segment of an edge at a vertex.
 struct EdgeEnd
@@ -31,8 +45,9 @@ struct EdgeEnd
 class SmallAngleProtection
 {
 public:
-    SmallAngleProtection(CurveChains& chains, IdVector<NodeId, MeshNode>& nodes)
-        : chains_(chains), model_(*chains.model_), nodes_(nodes)
+    SmallAngleProtection(CurveChains& chains, IdVector<NodeId, MeshNode>& nodes,
+                         const CurveChainOptions& options)
+        : chains_(chains), model_(*chains.model_), nodes_(nodes), options_(options)
     {
     }
 
@@ -40,6 +55,7 @@ public:
     {
         std::vector<std::vector<EdgeEnd>> endsOf(model_.vertices.size());
         for (std::uint32_t e = 0; e < model_.edges.size(); ++e) collectEnds(BrepEdgeId(e), endsOf);
+        findTips();
         for (std::uint32_t v = 0; v < endsOf.size(); ++v) findComplexes(BrepVertexId(v), endsOf[v]);
         enrolments_.resize(chains_.segments_.size());
         splitBetweenApexes();
@@ -54,6 +70,16 @@ private:
 
         [[nodiscard]] AngleComplexId only() const { return first.isValid() ? first : last; }
     };
+
+    void findTips()
+    {
+        tipsOf_.resize(model_.vertices.size());
+        for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
+            for (const FaceApex& apex : apexesOf(model_, BrepFaceId(f)))
+                tipsOf_[apex.vertex].push_back(
+                    {edgesAt(model_, BrepFaceId(f), apex.vertex), apex.facetAngle});
+        }
+    }
 
     void collectEnds(BrepEdgeId id, std::vector<std::vector<EdgeEnd>>& endsOf) const
     {
@@ -104,13 +130,37 @@ private:
                 std::replace(group.begin(), group.end(), high, low);
             }
         }
+        for (const EdgesAtTip& tip : tipsOf_[apex]) joinAtTip(tip, ends, group, smallest);
         for (std::size_t leader = 0; leader < ends.size(); ++leader) {
             if (smallest[leader] >= CurveChains::kSmallAngleLimit || group[leader] != leader) continue;
-            const AngleComplexId complex = chains_.smallAngles_.push_back({apex, {}, smallest[leader], 0});
+            const AngleComplexId complex = chains_.smallAngles_.push_back(
+                {apex, {}, smallest[leader], 0, !tipsOf_[apex].empty() && isWhole(group, leader)});
             for (std::size_t i = leader; i < ends.size(); ++i) {
                 if (group[i] == leader) enrol(ends[i], complex);
             }
         }
+    }
+
+    /// The ends at the tip of a face are one group.
+    void joinAtTip(const EdgesAtTip& tip, const std::vector<EdgeEnd>& ends, std::vector<std::size_t>& group,
+                   std::vector<double>& smallest) const
+    {
+        std::optional<std::size_t> leader;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            const BrepEdgeId edge = chains_.segments_[ends[i].segment].edge;
+            if (!std::binary_search(tip.edges.begin(), tip.edges.end(), edge)) continue;
+            const std::size_t low = std::min(group[i], leader.value_or(group[i]));
+            const std::size_t high = std::max(group[i], leader.value_or(group[i]));
+            smallest[low] = std::min({smallest[low], smallest[high], tip.facetAngle});
+            std::replace(group.begin(), group.end(), high, low);
+            leader = low;
+        }
+    }
+
+    /// One shell for all tips of a vertex: else those of one would not be those of the other.
+    static bool isWhole(const std::vector<std::size_t>& group, std::size_t leader)
+    {
+        return std::all_of(group.begin(), group.end(), [&](std::size_t g) { return g == leader; });
     }
 
     void enrol(const EdgeEnd& end, AngleComplexId complex)
@@ -162,15 +212,28 @@ private:
         return enrolments_[s].first.isValid() ? CurveEnd::First : CurveEnd::Last;
     }
 
+    [[nodiscard]] double largestRingOf(const SmallAngleAtVertex& complex) const
+    {
+        double largest = std::numeric_limits<double>::infinity();
+        for (const BrepEdgeId edge : complex.edges)
+            largest = std::min(largest, kRingOfEdge * chains_.variations_[edge]->totalLength());
+        if (options_.segmentsPerTurn > kUsualPerTurn) largest *= kUsualPerTurn / options_.segmentsPerTurn;
+        if (options_.maxSag > 0.0) largest = std::min(largest, kRingOfSag * options_.maxSag);
+        return largest;
+    }
+
     /// The largest shell that all members reach with growing distance; members that reach none stay as they are.
     void cutAtShell(AngleComplexId id, const std::vector<SegmentId>& members)
     {
         double shortest = std::numeric_limits<double>::infinity();
         for (const SegmentId s : members) shortest = std::min(shortest, chordOf(s));
+        SmallAngleAtVertex& complex = chains_.smallAngles_[id];
         if (!(shortest > 0.0)) {
             chains_.unprotected_ += members.size();
+            complex.isAroundTip = false;
             return;
         }
+        if (complex.isAroundTip) shortest = std::min(shortest, largestRingOf(complex));
         const int largest = firstShellExponent(shortest);
         int exponent = largest;
         const auto reaches = [&](SegmentId s) {
@@ -178,8 +241,10 @@ private:
         };
         while (exponent > largest - kShellTries && !std::all_of(members.begin(), members.end(), reaches))
             --exponent;
-        if (exponent == largest - kShellTries) exponent = largest;
-        chains_.smallAngles_[id].firstShell = exponent;
+        const bool isReached = exponent > largest - kShellTries;
+        if (!isReached) exponent = largest;
+        complex.firstShell = exponent;
+        complex.isAroundTip = complex.isAroundTip && isReached && members.size() == complex.edges.size();
         for (const SegmentId s : members) cutMember(id, s, std::ldexp(1.0, exponent));
     }
 
@@ -203,12 +268,15 @@ private:
     CurveChains& chains_;
     const BrepModel& model_;
     IdVector<NodeId, MeshNode>& nodes_;
+    const CurveChainOptions& options_;
+    IdVector<BrepVertexId, std::vector<EdgesAtTip>> tipsOf_;
     IdVector<SegmentId, Enrolment> enrolments_;
 };
 
-void protectSmallAngles(CurveChains& chains, IdVector<NodeId, MeshNode>& nodes)
+void protectSmallAngles(CurveChains& chains, IdVector<NodeId, MeshNode>& nodes,
+                        const CurveChainOptions& options)
 {
-    SmallAngleProtection(chains, nodes).run();
+    SmallAngleProtection(chains, nodes, options).run();
 }
 
 }  // namespace mesher

@@ -115,6 +115,7 @@ bool FaceRefiner::queueGivenUp()
 
 void FaceRefiner::force(TriangleId t)
 {
+    if (mesh_.isOfFan(t)) mesh_.releaseFan(t);
     mesh_.triangle(t).isForced = true;
     mesh_.triangle(t).left = FacetLeft::No;
     queueTriangle(t);
@@ -137,7 +138,7 @@ std::vector<SegmentId> FaceRefiner::takeProposals()
 void FaceRefiner::proposeIfEncroached(EdgeLink side)
 {
     const SegmentId segment = mesh_.segment(side);
-    if (!segment.isValid()) return;
+    if (!segment.isValid() || mesh_.isSpoke(side)) return;
     // Across a strip each segment that is longer than the strip is wide has the other side's nodes in its ball.
     if (leavesFlat_ && !mesh_.vertex(mesh_.apex(side)).isFree) return;
     const Vec3& p = mesh_.position(mesh_.apex(side));
@@ -154,7 +155,7 @@ void FaceRefiner::proposeSegments()
         if (!mesh_.triangle(TriangleId(i)).isAlive) continue;
         for (unsigned k = 0; k < 3; ++k) {
             const EdgeLink side(TriangleId(i), k);
-            if (!mesh_.segment(side).isValid()) continue;
+            if (!mesh_.segment(side).isValid() || mesh_.isSpoke(side)) continue;
             if (criteria_.isTooLong(mesh_, side)) {
                 propose(mesh_.segment(side));
             } else {
@@ -169,7 +170,7 @@ void FaceRefiner::proposeAround(VertexId v)
     mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) {
         for (unsigned k = 0; k < 3; ++k) {
             const EdgeLink side(opposite.triangle(), k);
-            if (mesh_.segment(side).isValid() && criteria_.isTooLong(mesh_, side)) {
+            if (mesh_.segment(side).isValid() && !mesh_.isSpoke(side) && criteria_.isTooLong(mesh_, side)) {
                 propose(mesh_.segment(side));
             } else {
                 proposeIfEncroached(side);
@@ -218,7 +219,7 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
         mesh_.triangle(t).left = FacetLeft::Rim;
         return;
     }
-    const bool isLocked = isAtSmallAngle(record, shape);
+    const bool isLocked = mesh_.isOfFan(t) || isAtSmallAngle(record, shape);
     if (isLocked && !record.isForced) {
         mesh_.triangle(t).left = FacetLeft::SmallAngle;
         return;
@@ -292,11 +293,21 @@ EdgeLink FaceRefiner::sideOf(const SegmentVertex& split) const
     return {};
 }
 
+bool FaceRefiner::isSpoke(const std::array<NodeId, 2>& ends) const
+{
+    const auto* first = verticesOf_.find(ends[0]);
+    const auto* last = verticesOf_.find(ends[1]);
+    if (first == nullptr || last == nullptr) return false;
+    return std::any_of(first->begin(), first->end(), [&](VertexId a) {
+        return std::any_of(last->begin(), last->end(), [&](VertexId b) { return mesh_.isSpoke(a, b); });
+    });
+}
+
 /// Chew's rule: free vertices in the ball of a segment that is split give way.
 bool FaceRefiner::removeApex(EdgeLink side)
 {
     const VertexId apex = mesh_.apex(side);
-    if (!mesh_.vertex(apex).isFree) return false;
+    if (!mesh_.vertex(apex).isFree || mesh_.vertex(apex).isOnRing) return false;
     const Vec3& p = mesh_.position(apex);
     if (dot(mesh_.position(mesh_.from(side)) - p, mesh_.position(mesh_.to(side)) - p) >= 0.0) return false;
     if (!removal_.evaluate(apex)) return false;

@@ -94,6 +94,8 @@ public:
     void insertOnSegment(const SegmentVertex& split);
     /// The star that such a vertex would have, in splitter().star(); free vertices stay. False if the face has no such side.
     [[nodiscard]] bool evaluateOnSegment(const SegmentVertex& split, StarExtent extent);
+    /// Does a side of the face between these nodes end in a tip and on the ring around it?
+    [[nodiscard]] bool isSpoke(const std::array<NodeId, 2>& ends) const;
     /// Has a facet split when refinement goes on, whatever its shape.
     void force(TriangleId t);
     void queueAll();

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -87,6 +89,35 @@ TEST(MeshSolids, NamesTheFacesWhereASolidCrossesItself)
     EXPECT_NE(error.entity.find(" and Face"), std::string::npos) << error.entity;
     EXPECT_TRUE(error.point.has_value());
     EXPECT_FALSE(error.remedy.empty());
+}
+
+std::uint64_t countOf(const MeshReport& report, const std::string& name)
+{
+    for (const auto& [known, count] : report.counts) {
+        if (known == name) return count;
+    }
+    ADD_FAILURE() << "the report has no " << name;
+    return 0;
+}
+
+TEST(MeshSolids, MeshesTheTipOfASharpConeWellWithoutImprovement)
+{
+    constexpr double kHalfAngle = 8.0 * std::numbers::pi / 180.0;
+    const auto cone = makeCone({}, 5.0, 0.0, 5.0 / std::tan(kHalfAngle));
+    ASSERT_TRUE(cone);
+    MeshOptions options;
+    options.size = 1.9;
+    options.curvature = 12.0;
+    options.isImproved = false;
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(*cone, options, nullptr, context);
+    for (const Error& error : outcome.report.failures) ADD_FAILURE() << describe(error);
+    ASSERT_TRUE(outcome.mesh && outcome.report.tetQuality);
+    // Refined down to the floor the tip has nearly ten times as many tetrahedra, with angles of 2 degrees.
+    EXPECT_LT(outcome.mesh->tets.size(), 12'000u);
+    EXPECT_GT(outcome.report.tetQuality->dihedral.least(), 12.0);
+    EXPECT_LT(outcome.report.tetQuality->dihedral.largest(), 165.0);
+    EXPECT_EQ(countOf(outcome.report, "non_delaunay_faces_left"), 0u);
 }
 
 }  // namespace

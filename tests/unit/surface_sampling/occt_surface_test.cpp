@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -270,6 +271,61 @@ TEST(OcctSurfaces, TakeNoNormalFromAPoleOfSomeExtent)
             least = std::min(least, angleInDegrees(at(i + 1) - at(i), at(i + 2) - at(i)));
     }
     EXPECT_GT(least, 20.0);
+}
+
+/// Facets at the tip.
+struct TipFacts
+{
+    int facets = 0;
+    double unevenness = 0.0;  ///< of the distances of the ring's points, relative
+};
+
+TipFacts factsAtTip(const SurfaceMesh& mesh, const Vec3& tip)
+{
+    TipFacts facts;
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (const SurfaceFacet& facet : mesh.facets) {
+        if (!facet.isAlive()) continue;
+        const auto at = [&](std::size_t i) { return mesh.nodes[facet.node[i % 3]].position; };
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (length(at(i) - tip) > 1e-9) continue;
+            ++facts.facets;
+            for (const std::size_t k : {i + 1, i + 2}) {
+                least = std::min(least, length(at(k) - tip));
+                most = std::max(most, length(at(k) - tip));
+            }
+        }
+    }
+    facts.unevenness = most / least - 1.0;
+    return facts;
+}
+
+TEST(OcctSurfaces, HaveOneFanAtATip)
+{
+    const UniformSize size(0.6);
+    SurfaceSamplingOptions options;
+    options.curves.sizes = options.facets.sizes = &size;
+    options.curves.segmentsPerTurn = options.facets.elementsPerTurn = 12.0;
+    for (const double halfAngle : {10.0, 30.0, 60.0}) {
+        const double height = 3.0 / std::tan(halfAngle * kPi / 180.0);
+        for (const TopoDS_Shape& shape :
+             {TopoDS_Shape(BRepPrimAPI_MakeCone(3.0, 0.0, height).Shape()),
+              TopoDS_Shape(
+                  BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCone(3.0, 0.0, height).Shape()).Shape())}) {
+            SCOPED_TRACE(halfAngle);
+            auto read = readModelFromShape(shape);
+            ASSERT_TRUE(read) << describe(read.error());
+            RunContext context;
+            const auto sample = sampleSurface(read->model, options, context);
+            ASSERT_TRUE(sample) << describe(sample.error());
+            EXPECT_TRUE(sample->failures.empty());
+            EXPECT_EQ(checkSurfaceMesh(read->model, sample->surface->mesh()).problem(), "");
+            const TipFacts facts = factsAtTip(sample->surface->mesh(), {0.0, 0.0, height});
+            EXPECT_GE(facts.facets, 4);
+            EXPECT_LE(facts.facets, 9);
+            EXPECT_LT(facts.unevenness, 1e-9);
+        }
+    }
 }
 
 TEST(OcctSurfaces, StepOverWhatIsNarrowerThanTheTolerance)
