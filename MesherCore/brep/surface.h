@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace mesher {
 
@@ -85,6 +86,9 @@ public:
     /// Ascending parameters inside the range between which the surface is analytic.
     [[nodiscard]] virtual std::span<const double> breaksU() const { return {}; }
     [[nodiscard]] virtual std::span<const double> breaksV() const { return {}; }
+    /// Parameters v whose whole line is one point although the surface goes on beyond it, so that it meets itself there: the
+    /// apex between the nappes of a cone, and where a torus whose tube is as wide as its ring meets its axis.
+    [[nodiscard]] virtual std::vector<double> pinchesV() const { return {}; }
     [[nodiscard]] virtual std::unique_ptr<Surface> clone() const = 0;
 };
 

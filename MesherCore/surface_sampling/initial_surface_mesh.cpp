@@ -1,8 +1,10 @@
 #include "base/indexed_map.h"
+#include "surface_sampling/face_pinch.h"
 #include "surface_sampling/initial_face_mesh.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace mesher {
 
@@ -69,6 +71,10 @@ private:
     void triangulate(BrepFaceId f, std::vector<SegmentId>& proposals)
     {
         isStale_[f] = 0;
+        if (std::optional<Error> pinch = refusePinch(model_, f)) {
+            errors_[f] = std::move(pinch);
+            return;
+        }
         const NodeId first(static_cast<std::uint32_t>(nodes_.size()));
         auto mesh = triangulateFace(model_, f, chains_, nodes_, first, options_, taken_[f]);
         errors_[f].reset();

@@ -2,6 +2,7 @@
 
 #include "brep/analytic/periodic.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mesher {
@@ -88,6 +89,14 @@ RoundSurface::Profile TorusSurface::profile(double v) const
 {
     const double c = tubeRadius_ * std::cos(v), s = tubeRadius_ * std::sin(v);
     return {{ringRadius_ + c, -s, -c}, {s, c, -s}};
+}
+
+std::vector<double> TorusSurface::pinchesV() const
+{
+    constexpr double kRounding = 1e-9;
+    if (tubeRadius_ < ringRadius_ * (1.0 - kRounding)) return {};
+    const double first = std::acos(std::max(-1.0, -ringRadius_ / tubeRadius_));
+    return {first, kTurn - first};
 }
 
 double TorusSurface::closestOnProfile(double radius, double height) const

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <numbers>
+#include <vector>
 
 namespace mesher {
 
@@ -74,6 +75,7 @@ public:
     [[nodiscard]] SurfaceKind kind() const override { return SurfaceKind::Cone; }
     [[nodiscard]] Interval rangeV() const override { return kUnbounded; }
     [[nodiscard]] double periodV() const override { return 0.0; }
+    [[nodiscard]] std::vector<double> pinchesV() const override { return {-radius_ / sine_}; }
     [[nodiscard]] std::unique_ptr<Surface> clone() const override
     {
         return std::make_unique<ConeSurface>(*this);
@@ -122,6 +124,7 @@ public:
     [[nodiscard]] SurfaceKind kind() const override { return SurfaceKind::Torus; }
     [[nodiscard]] Interval rangeV() const override { return {0.0, kTurn}; }
     [[nodiscard]] double periodV() const override { return kTurn; }
+    [[nodiscard]] std::vector<double> pinchesV() const override;
     [[nodiscard]] std::unique_ptr<Surface> clone() const override
     {
         return std::make_unique<TorusSurface>(*this);

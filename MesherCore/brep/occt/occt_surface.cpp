@@ -4,6 +4,7 @@
 #include "brep/analytic/plane_surface.h"
 #include "brep/analytic/round_surfaces.h"
 #include "brep/occt/occt_convert.h"
+#include "brep/root_finding.h"
 #include "brep/surface_projection.h"
 
 #include <GeomAdaptor_Surface.hxx>
@@ -21,6 +22,7 @@
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -105,6 +107,10 @@ public:
     }
     std::span<const double> breaksU() const override { return breaksU_; }
     std::span<const double> breaksV() const override { return breaksV_; }
+    std::vector<double> pinchesV() const override
+    {
+        return kind() == SurfaceKind::Revolution ? axisMeetings() : std::vector<double>{};
+    }
     std::unique_ptr<Surface> clone() const override
     {
         auto copy = std::make_unique<OcctSurface>(geometry_, windowU_, windowV_);
@@ -113,6 +119,31 @@ public:
     }
 
 private:
+    /// Of a surface of revolution, whose derivative along u is as long as its radius: where that has a minimum of nothing.
+    std::vector<double> axisMeetings() const
+    {
+        constexpr int kSteps = 64;
+        constexpr double kRounding = 1e-12, kNothing = 1e-7;
+        const auto slope = [&](double v) {
+            const SurfacePoint p = evaluate({windowU_.first, v});
+            return dot(p.du, p.duv);
+        };
+        const auto radius = [&](double v) { return length(evaluate({windowU_.first, v}).du); };
+        std::vector<double> meetings;
+        double before = windowV_.first, slopeBefore = slope(before), largest = radius(before);
+        for (int i = 1; i <= kSteps; ++i) {
+            const double v = windowV_.at(static_cast<double>(i) / kSteps), slopeHere = slope(v);
+            largest = std::max(largest, radius(v));
+            if (slopeBefore < 0.0 && slopeHere >= 0.0)
+                meetings.push_back(
+                    findRoot(slope, before, v, slopeBefore, slopeHere, kRounding * windowV_.length()));
+            before = v;
+            slopeBefore = slopeHere;
+        }
+        std::erase_if(meetings, [&](double v) { return radius(v) > kNothing * largest; });
+        return meetings;
+    }
+
     Handle(Geom_Surface) geometry_;
     GeomAdaptor_Surface adaptor_;
     Interval windowU_;

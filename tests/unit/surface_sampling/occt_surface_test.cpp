@@ -18,6 +18,7 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
@@ -31,6 +32,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 
@@ -448,6 +450,36 @@ TEST(OcctSurfaces, AreRefinedWithoutFoldsAlongASharpNose)
 TEST(OcctSurfaces, AreMeshedSoundlyOnNarrowFillets)
 {
     expectSound({"rounded cylinder", roundedCylinder()}, {});
+}
+
+/// Half a turn of a disk of radius 1 about an axis at this distance from its centre.
+TopoDS_Shape revolvedDisk(double distance)
+{
+    const gp_Circ circle(gp_Ax2(gp_Pnt(distance, 0.0, 0.0), gp_Dir(0.0, 1.0, 0.0), gp_Dir(1.0, 0.0, 0.0)),
+                         1.0);
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle).Edge());
+    const gp_Ax1 axis(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(0.0, 0.0, 1.0));
+    return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wire).Face(), axis, kPi);
+}
+
+TEST(OcctSurfaces, ThatMeetThemselvesOnTheirAxisAreRefused)
+{
+    for (const double distance : {1.0, 1.5}) {
+        const auto read = readModelFromShape(revolvedDisk(distance));
+        ASSERT_TRUE(read) << describe(read.error());
+        RunContext context;
+        const auto sample = sampleSurface(read->model, {}, context);
+        ASSERT_TRUE(sample) << describe(sample.error());
+        if (distance > 1.0) {
+            EXPECT_TRUE(sample->failures.empty());
+            continue;
+        }
+        ASSERT_EQ(sample->failures.size(), 1u);
+        const Error& error = sample->failures.front().second;
+        EXPECT_NE(error.message.find("meets itself"), std::string::npos) << describe(error);
+        ASSERT_TRUE(error.point);
+        EXPECT_NEAR(length(*error.point), 0.0, 1e-6);
+    }
 }
 
 }  // namespace
