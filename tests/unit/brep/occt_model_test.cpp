@@ -1,8 +1,14 @@
+#include "brep/model_inspection.h"
 #include "brep/occt/read_model.h"
 #include "occt_models.h"
 #include "support/model_contract.h"
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -11,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace mesher {
@@ -126,6 +133,30 @@ TEST(OcctModel, NullAndFacelessShapesAreRefused)
     const Result<ReadModel> wire = readModelFromShape(test::polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     ASSERT_FALSE(wire);
     EXPECT_EQ(wire.error().message, "the model has no face");
+}
+
+TEST(OcctModel, MeasuresSheetsOfManyFolds)
+{
+    constexpr int kFolds = 40;
+    TColgp_Array2OfPnt poles(1, kFolds + 1, 1, 2);
+    TColStd_Array1OfReal knots(1, kFolds + 1);
+    TColStd_Array1OfInteger multiplicities(1, kFolds + 1);
+    for (int i = 0; i <= kFolds; ++i) {
+        poles.SetValue(i + 1, 1, gp_Pnt(i, 0.0, i % 2));
+        poles.SetValue(i + 1, 2, gp_Pnt(i, 3.0, i % 2));
+        knots.SetValue(i + 1, i);
+        multiplicities.SetValue(i + 1, i == 0 || i == kFolds ? 2 : 1);
+    }
+    TColStd_Array1OfReal across(1, 2);
+    across.SetValue(1, 0.0);
+    across.SetValue(2, 1.0);
+    TColStd_Array1OfInteger twice(1, 2);
+    twice.Init(2);
+    const Handle(Geom_Surface) sheet =
+        new Geom_BSplineSurface(poles, knots, across, multiplicities, twice, 1, 1);
+    const auto read = readModelFromShape(BRepBuilderAPI_MakeFace(sheet, 1e-7).Face());
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_NEAR(inspectModel(read->model).area, 3.0 * kFolds * std::sqrt(2.0), 1e-6);
 }
 
 }  // namespace mesher
