@@ -6,8 +6,9 @@
 
 BIN-FOLDER holds the program mesher, MODELS-FOLDER what solid_models writes, DEMOS-FOLDER the demonstrations. Gmsh is the program
 on the path, asked for size, curvature and its usual optimisation. A peer given by --peer is called with the command line of the
-mesher: COMMAND mesh MODEL -o OUT.msh --size H --curvature 12 --threads 1, and left out where it would take minutes. Each run is a process of its own on one thread; times
-are its CPU seconds from reading the model to the written file, the least of the repeats, which take turns.
+mesher: COMMAND mesh MODEL -o OUT.msh --size H --curvature 12 --threads 1, and left out where it would take minutes. Each run is a
+process of its own on one thread; times are its CPU seconds from reading the model to the written file, the least of the repeats,
+which take turns.
 """
 import argparse
 import json
@@ -31,7 +32,7 @@ LARGE = 500_000  # tetrahedra: fewer models, no peers but Gmsh
 OURS = "this mesher"
 RAW = "this mesher, without improvement"
 GMSH = {"Gmsh, Delaunay": [], "Gmsh, HXT": ["-algo", "hxt"]}
-STAGES = ("reading", "surfaces", "tetrahedralization", "refinement", "improvement", "writing")
+STAGES = ("reading", "surfaces", "tetrahedralization", "refinement", "classification", "improvement", "measures", "writing")
 
 
 def spend(command, log, limit):
@@ -164,13 +165,17 @@ def section(comparison, tets):
             *stage_table(rows_of), "", "Where Gmsh's goes:", "", *gmsh_stage_table(rows_of), ""]
 
 
+def told_repeats(repeats):
+    return f"Each figure is the least of {repeats} runs." if repeats > 1 else "Each figure is from one run, good to about a fifth."
+
+
 def page(comparison, counts):
     lines = [
         "# The mesher of solids beside its peers", "",
         "Written by `tests/benchmarks/solids/compare_solids.py` with `--write docs/benchmarks/solids.md`. One thread, CPU seconds from "
         "reading the", "model to the written file, all rows of a model in one run: the ratios are what counts. All are asked for the "
         "same size and", f"for {CURVATURE} elements in a full turn. At the same size this mesher makes about twice as many tetrahedra as "
-        "Gmsh, whose mean edge is", "1.2 times the size; the fifth column compares the time for each.", ""]
+        "Gmsh, whose mean edge is", "1.2 times the size; the fifth column compares the time for each. " + told_repeats(comparison.repeats), ""]
     for tets in counts:
         lines += section(comparison, tets)
     return lines[:-1]
