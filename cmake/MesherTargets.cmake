@@ -52,6 +52,11 @@ function(mesher_python_module name)
   set_target_properties(mesher_${name} PROPERTIES OUTPUT_NAME ${MODULE_OUTPUT} LIBRARY_OUTPUT_DIRECTORY "${MODULE_DIRECTORY}")
 endfunction()
 
+# It is the core that has to be fast, not the tests, whose compilation the optimiser makes twice as long.
+function(mesher_optimise_test name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # mesher_test(NAME SOURCES … USES …): a GoogleTest program whose cases are tests of CTest.
 function(mesher_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
@@ -62,6 +67,7 @@ function(mesher_test name)
   foreach(used IN LISTS TEST_USES)
     target_link_libraries(${name} PRIVATE mesher_${used})
   endforeach()
+  mesher_optimise_test(${name})
   # A test that hangs must fail, and long before the run that it is part of is given up.
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

@@ -12,7 +12,7 @@ constexpr double kThickness = 0.05;
 constexpr double kSize = 1.0;
 
 /// With facets about 1 large on its two faces.
-SampledSolid plate() { return sampledPlate(16.0, kThickness, 16); }
+SampledSolid plate() { return sampledPlate(8.0, kThickness, 8); }
 
 RefinedVolume refinePlate(SampledSolid& solid, double maxWallTets)
 {

@@ -140,7 +140,7 @@ TEST(SampleSurface, EndsAtTheLimitOfVerticesWithASoundMesh)
 StopReason stopReasonWhenCancelledIn(const BrepModel& model, std::string_view stage, int& callsAfter)
 {
     SurfaceSamplingOptions options;
-    options.facets.maxSize = 0.02;
+    options.facets.maxSize = 0.05;
     int calls = 0;
     callsAfter = 0;
     RunSettings settings;
