@@ -14,14 +14,15 @@ if(MESHER_WARNINGS_AS_ERRORS)
   target_compile_options(mesher_options INTERFACE -Werror)
 endif()
 if(MESHER_SANITIZE)
-  # The checks left out stand at each pointer, take a third of the time of a build, and find what AddressSanitizer stops at as well.
+  # The checks left out stand at each pointer and take a quarter to a third of the time of the compiler. AddressSanitizer stops at null
+  # pointers and objects that are too small as well; misaligned and wrongly typed pointers go unseen.
   target_compile_options(mesher_options INTERFACE -fsanitize=${MESHER_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(mesher_options INTERFACE -fsanitize=${MESHER_SANITIZE})
 endif()
 
 # mesher_precompile(TARGET): the standard headers that nearly every source reads, read once. Reading them takes a builder without
-# optimisation half its time. The release build does without, so that each source still has to name what it includes.
+# optimisation up to half its time. The release build does without, so that each source still has to name what it includes.
 function(mesher_precompile target)
   if(MESHER_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} REUSE_FROM mesher_headers)
@@ -54,7 +55,7 @@ function(mesher_python_module name)
   set_target_properties(mesher_${name} PROPERTIES OUTPUT_NAME ${MODULE_OUTPUT} LIBRARY_OUTPUT_DIRECTORY "${MODULE_DIRECTORY}")
 endfunction()
 
-# It is the core that has to be fast, not the tests, whose compilation the optimiser makes twice as long.
+# It is the core that has to be fast, not the tests, whose compilation takes a third to a half longer with all of the optimiser.
 function(mesher_optimise_test name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

@@ -17,6 +17,7 @@ void tellCounts(const SurfaceSamplingCounts& counts, MeshReport& report)
 {
     add(report, "curve_vertices", counts.curveNodes);
     add(report, "initial_surface_vertices", counts.initialVertices);
+    add(report, "initial_facets_left_alone", counts.initialLeftAlone);
     add(report, "sample_vertices", counts.vertices);
     add(report, "sample_facets", counts.facets);
     add(report, "sample_segments", counts.segments);

@@ -35,7 +35,7 @@ std::optional<Error> refusePinch(const BrepModel& model, BrepFaceId f)
         return Error{ErrorCode::IntersectingConstraints,
                      "the face meets itself in a point on the axis of its surface", nameOf(f),
                      face.surface->position({face.boundsU.at(0.5), v}),
-                     "end the face at that point, or make the tube of the torus thinner than its ring"};
+                     "end the face at that point, or keep its profile off the axis"};
     }
     return {};
 }

@@ -9,7 +9,6 @@
 
 namespace mesher {
 
-/// What facets are asked to be.
 /// Around the tip of a face curvature asks for nothing finer than the ring there.
 struct TipResolution
 {
@@ -19,6 +18,7 @@ struct TipResolution
     double clearance = 0.0;  ///< distance from the tip that vertices outside of the ring keep
 };
 
+/// What facets are asked to be.
 struct FacetCriteriaOptions
 {
     /// Smallest angle wanted, degrees; 0 asks for none. Refinement is proven to end up to 20.7 [thesis §3.3.2.3], in practice

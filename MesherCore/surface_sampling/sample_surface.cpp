@@ -115,7 +115,10 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     const InitialSurfaceMesh initial =
         initialSurfaceMesh(model, *chains, nodes, options.initial, context, time);
     counts.initialVertices = nodes.size();
-    for (const InitialFaceMesh& face : initial.faces) counts.initialFacets += face.facets.size();
+    for (const InitialFaceMesh& face : initial.faces) {
+        counts.initialFacets += face.facets.size();
+        counts.initialLeftAlone += face.leftAlone;
+    }
     sample.seconds.initial = secondsSince(start);
 
     start = Clock::now();

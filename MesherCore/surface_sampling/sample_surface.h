@@ -45,6 +45,7 @@ struct SurfaceSamplingCounts
     std::size_t curveNodes = 0;       ///< after the sampling of the curves, model vertices included
     std::size_t initialVertices = 0;  ///< of the first meshes
     std::size_t initialFacets = 0;
+    std::size_t initialLeftAlone = 0;  ///< of these, InitialFaceMesh::leftAlone
     std::size_t vertices = 0;
     std::size_t segments = 0;
     std::size_t facets = 0;
