@@ -4,6 +4,7 @@
 #include <charconv>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,10 @@ std::string angleText(const LeftPlace3d& place)
 }
 
 /// " beside Face5 and Edge2", as far as they are known.
-std::string besideText(const LeftPlace3d& place)
+std::string besideText(std::span<const EntityRef> entities)
 {
     std::string text;
-    for (const EntityRef entity : place.entity) {
+    for (const EntityRef entity : entities) {
         if (entity.index != EntityRef::kNone) text += (text.empty() ? " beside " : " and ") + nameOf(entity);
     }
     return text;
@@ -46,7 +47,7 @@ std::string reasonOf(const LeftPlace3d& place)
         case LeftReason3d::Boundary:
             return nameOf(place.entity[0]) + " beside them cannot be split any further";
         case LeftReason3d::Resolution: return "no place for a better vertex was found";
-        case LeftReason3d::NoHeadway: return "refinement made no headway" + besideText(place);
+        case LeftReason3d::NoHeadway: return "refinement made no headway" + besideText(place.entity);
         case LeftReason3d::Unfinished: return "the run was ended before";
     }
     return {};
@@ -72,6 +73,42 @@ LeftElements elementsOf(const LeftPlace3d& place)
     LeftElements left{reasonOf(place),       {},          place.count,           place.leastDihedral,
                       place.largestDihedral, place.worst, remedyOf(place.reason)};
     for (const EntityRef entity : place.entity) {
+        if (entity.index != EntityRef::kNone) left.entities.push_back(nameOf(entity));
+    }
+    return left;
+}
+
+std::string reasonOf(const NonDelaunayFaces3d& faces)
+{
+    switch (faces.reason) {
+        case NonDelaunayReason3d::Tie:
+            return "five vertices are on one sphere to within rounding" + besideText(faces.entity);
+        case NonDelaunayReason3d::Boundary:
+            return "the triangles" + besideText(faces.entity) +
+                   " would have to be flipped with them, and bend there";
+        case NonDelaunayReason3d::Interlocked: return "flips keep each other from being made there";
+        case NonDelaunayReason3d::Unfinished:
+            return "flips and refinement undid each other's work to the end";
+    }
+    return {};
+}
+
+std::string remedyOf(NonDelaunayReason3d reason)
+{
+    switch (reason) {
+        case NonDelaunayReason3d::Tie: return "none is needed";
+        case NonDelaunayReason3d::Boundary:
+        case NonDelaunayReason3d::Interlocked:
+        case NonDelaunayReason3d::Unfinished:
+            return "choose a smaller --size there if the solver needs Delaunay faces";
+    }
+    return {};
+}
+
+LeftFaces facesOf(const NonDelaunayFaces3d& faces)
+{
+    LeftFaces left{reasonOf(faces), {}, faces.count, faces.place, remedyOf(faces.reason)};
+    for (const EntityRef entity : faces.entity) {
         if (entity.index != EntityRef::kNone) left.entities.push_back(nameOf(entity));
     }
     return left;
@@ -186,6 +223,8 @@ void nameWallOverLimit(const RefinedVolume& refined, MeshReport& report)
 void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
 {
     for (const LeftPlace3d& place : refined.places) report.left.push_back(elementsOf(place));
+    for (const NonDelaunayFaces3d& faces : refined.nonDelaunayFaces)
+        report.nonDelaunay.push_back(facesOf(faces));
     if (refined.hasStalled) report.warnings.push_back(stallWarning(refined));
     std::vector<ThinWall> kept = refined.walls;
     std::erase_if(kept, [](const ThinWall& wall) { return !wall.isKept; });

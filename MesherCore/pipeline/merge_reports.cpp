@@ -27,6 +27,11 @@ void addReport(const ModelComponent& component, const MeshReport& part, MeshRepo
         for (std::string& entity : left.entities) entity = component.inWhole(entity);
         whole.left.push_back(std::move(left));
     }
+    for (LeftFaces left : part.nonDelaunay) {
+        left.reason = component.inWhole(left.reason);
+        for (std::string& entity : left.entities) entity = component.inWhole(entity);
+        whole.nonDelaunay.push_back(std::move(left));
+    }
     for (const std::string& warning : part.warnings) whole.warnings.push_back(component.inWhole(warning));
     if (part.status == MeshReport::Status::Cancelled || whole.status == MeshReport::Status::Done)
         whole.status = part.status;

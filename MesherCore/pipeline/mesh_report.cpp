@@ -64,14 +64,24 @@ Json toJson(const LeftElements& left)
             {"remedy", left.remedy}};
 }
 
-/// The places with the most elements; the others in one entry, so that the report stays short.
-Json toJson(const std::vector<LeftElements>& left)
+Json toJson(const LeftFaces& left)
+{
+    return {{"entities", left.entities},
+            {"reason", left.reason},
+            {"count", left.count},
+            {"point", toJson(left.place)},
+            {"remedy", left.remedy}};
+}
+
+/// The places where most was left; the others in one entry, so that the report stays short.
+template <class Left>
+Json toJson(const std::vector<Left>& left)
 {
     constexpr std::size_t kMostPlaces = 50;
     Json places = Json::array();
     std::uint64_t total = 0;
     std::uint64_t listed = 0;
-    for (const LeftElements& place : left) {
+    for (const Left& place : left) {
         total += place.count;
         if (places.size() >= kMostPlaces) continue;
         listed += place.count;
@@ -189,6 +199,7 @@ std::string toJson(const MeshReport& report)
                  {"failures", Json::array()},
                  {"warnings", report.warnings},
                  {"left", toJson(report.left)},
+                 {"not_delaunay", toJson(report.nonDelaunay)},
                  {"counts", objectOf(report.counts)},
                  {"seconds", objectOf(report.seconds)},
                  {"cpu_seconds", objectOf(report.cpuSeconds)},

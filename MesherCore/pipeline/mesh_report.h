@@ -27,6 +27,16 @@ struct LeftElements
     std::string remedy;  ///< a clause without a full stop
 };
 
+/// Faces between tetrahedra of a solid that refinement left not locally Delaunay, for one reason at one place.
+struct LeftFaces
+{
+    std::string reason;                 ///< a clause without a full stop
+    std::vector<std::string> entities;  ///< of the model: what keeps them from being flipped
+    std::uint64_t count = 0;
+    Vec3 place;          ///< of one of them, model units
+    std::string remedy;  ///< a clause without a full stop
+};
+
 /// What a run did, for people and programs.
 struct MeshReport
 {
@@ -41,7 +51,8 @@ struct MeshReport
     StopReason stopReason = StopReason::Done;
     std::vector<Error> failures;
     std::vector<std::string> warnings;
-    std::vector<LeftElements> left;  ///< after refinement, those with the most elements first
+    std::vector<LeftElements> left;      ///< after refinement, those with the most elements first
+    std::vector<LeftFaces> nonDelaunay;  ///< after refinement, those with the most faces first
     std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< by stage, in its order
     std::vector<std::pair<std::string, double>> seconds;        ///< by stage, in its order
     /// Of all threads of the process, by stage. Of plane domains only reading and writing are known.

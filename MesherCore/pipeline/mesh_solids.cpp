@@ -84,6 +84,8 @@ void finish(const MeshOptions& options, MeshOutcome& outcome)
 {
     std::stable_sort(outcome.report.left.begin(), outcome.report.left.end(),
                      [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
+    std::stable_sort(outcome.report.nonDelaunay.begin(), outcome.report.nonDelaunay.end(),
+                     [](const LeftFaces& a, const LeftFaces& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     const StageWatch watch;
     describeMesh(*outcome.mesh, outcome.report);

@@ -5,6 +5,7 @@
 #include "refinement/facet_swap3d.h"
 #include "refinement/insert_circumcentre.h"
 #include "refinement/left_tets3d.h"
+#include "refinement/non_delaunay_faces3d.h"
 #include "refinement/refinement_check.h"
 #include "refinement/refinement_state3d.h"
 
@@ -46,8 +47,8 @@ public:
         badTets_.pushAll();
         drain(Phase::Size);
         drain(Phase::Quality);
-        makeDelaunay();
         DelaunayRefinement3d result;
+        result.nonDelaunayFaces = makeDelaunay();
         result.hasStalled = hasStalled_;
         constexpr std::size_t kMostEntities = 5;
         if (hasStalled_) result.costliest = state_.ledger.costliest(kMostEntities);
@@ -123,8 +124,8 @@ private:
         }
     }
 
-    /// Flips and refinement in turn, since flips can make slivers, until both are content.
-    void makeDelaunay()
+    /// Flips and refinement in turn, since flips can make slivers, until both are content. Returns what is left.
+    std::vector<NonDelaunayFaces3d> makeDelaunay()
     {
         constexpr int kMostRounds = 8;
         bool isChanged = true;
@@ -132,8 +133,10 @@ private:
             isChanged = flipAll();
             if (isChanged) drain(Phase::Quality);
         }
-        state_.counts.nonDelaunayFaces = isChanged ? countNonDelaunayFaces(state_.mesh, DelaunayPart::Inside)
-                                                   : state_.flips.stuck().size();
+        if (!isChanged && state_.flips.stuck().empty()) return {};
+        std::vector<NonDelaunayFaces3d> left = explainNonDelaunayFaces(state_, !isChanged);
+        for (const NonDelaunayFaces3d& faces : left) state_.counts.nonDelaunayFaces += faces.count;
+        return left;
     }
 
     /// Makes all faces Delaunay as far as possible. False if nothing was to be changed.

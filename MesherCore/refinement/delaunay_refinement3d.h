@@ -12,6 +12,7 @@
 #include "refinement/thin_walls.h"
 #include "refinement/work_ledger3d.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -44,6 +45,7 @@ struct RefinementCounts3d
     std::uint64_t delaunayFlips = 0;      ///< after splits and repairs, and at the end
     std::uint64_t delaunayCavities = 0;   ///< filled anew at the end where flips were stuck
     std::uint64_t facetSwaps = 0;         ///< of the diagonal of four corners on one circle
+    std::uint64_t outsideVertices = 0;    ///< added outside of the solids so that facets could be swapped
     std::uint64_t nonDelaunayFaces = 0;   ///< left: unconstrained, inside of the solids
     BoundarySplitCounts boundary;
 };
@@ -69,6 +71,25 @@ struct LeftTet3d
     EntityRef other;   ///< the second face of a wall
 };
 
+/// Why a face was left that is not locally Delaunay.
+enum class NonDelaunayReason3d : std::uint8_t
+{
+    Tie,          ///< five vertices are on one sphere to within rounding
+    Boundary,     ///< flips would need the surface at `entity` to be flipped with them
+    Interlocked,  ///< inside, flips keep each other from being made
+    Unfinished    ///< flips and refinement did not agree within their rounds
+};
+
+/// Unconstrained faces that were left for one reason at one place.
+struct NonDelaunayFaces3d
+{
+    NonDelaunayReason3d reason = NonDelaunayReason3d::Unfinished;
+    std::array<EntityRef, 2>
+        entity;  ///< that keeps them from being flipped; those that are not known stand at the end
+    std::uint64_t count = 0;
+    Vec3 place;  ///< centroid of one of them, model units
+};
+
 struct DelaunayRefinementOptions3d
 {
     VolumeSizing sizing;
@@ -90,6 +111,7 @@ struct DelaunayRefinement3d
     StopReason stopReason = StopReason::Done;
     RefinementCounts3d counts;
     std::vector<LeftTet3d> left;
+    std::vector<NonDelaunayFaces3d> nonDelaunayFaces;
     std::vector<ThinWall> walls;
     std::vector<NarrowGap> gaps;  ///< too narrow to split segments beside them for more than their length
     /// Whether the allowance of work has ended it, and where most of the work was done in vain then.

@@ -66,12 +66,30 @@ bool FacetSwap3d::swapAt(TetFace face)
         const std::optional<Diagonal> diagonal = diagonalAt(corner[k], corner[(k + 1) % 3]);
         if (!diagonal || !std::is_permutation(apices.begin(), apices.end(), diagonal->apex.begin())) continue;
         if (!isNearlyPlane(*diagonal)) continue;
-        const TetId sliver = sliverAt(*diagonal);
-        if (!sliver.isValid()) return flipFlat(*diagonal);
-        giveToOtherSide(sliver, *diagonal);
-        return true;
+        return swapWhatIsThere(*diagonal) || (clearOutside(*diagonal) && swapWhatIsThere(*diagonal));
     }
     return false;
+}
+
+/// Four tetrahedra around the diagonal, or that of the four corners among them.
+bool FacetSwap3d::swapWhatIsThere(const Diagonal& diagonal)
+{
+    const TetId sliver = sliverAt(diagonal);
+    if (!sliver.isValid()) return flipFlat(diagonal);
+    giveToOtherSide(sliver, diagonal);
+    return true;
+}
+
+/// Outside of the solids nothing has to be Delaunay.
+bool FacetSwap3d::clearOutside(const Diagonal& diagonal)
+{
+    const auto centre = clearBesideEdge(state_.mesh, diagonal.end, kExteriorRegion);
+    if (!centre) return false;
+    state_.addOutside(*centre);
+    ++state_.counts.outsideVertices;
+    state_.mesh.collectEdgeRing(state_.mesh.findEdge(diagonal.end[0], diagonal.end[1]), diagonal.end[0],
+                                diagonal.end[1], ring_);
+    return true;
 }
 
 bool FacetSwap3d::expel(TetId tet)

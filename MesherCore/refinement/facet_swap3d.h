@@ -40,6 +40,8 @@ private:
     [[nodiscard]] std::optional<Diagonal> diagonalAt(VertexId a, VertexId b);
     [[nodiscard]] bool isNearlyPlane(const Diagonal& diagonal) const;
     [[nodiscard]] TetId sliverAt(const Diagonal& diagonal) const;
+    bool swapWhatIsThere(const Diagonal& diagonal);
+    bool clearOutside(const Diagonal& diagonal);
     bool flipFlat(const Diagonal& diagonal);
     void giveToOtherSide(TetId sliver, const Diagonal& diagonal);
     void swapOnSurface(const Diagonal& diagonal);

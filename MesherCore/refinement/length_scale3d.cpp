@@ -84,6 +84,12 @@ void LengthScale3d::setGuard(VertexId v, double value)
     guard_[v] = value;
 }
 
+void LengthScale3d::leaveOut(VertexId v)
+{
+    mesh_.setLengthScale(v, kNoSize);
+    setGuard(v, kNoSize);
+}
+
 bool LengthScale3d::assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling)
 {
     const Vec3 p = mesh_.position(v);

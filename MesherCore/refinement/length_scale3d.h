@@ -49,6 +49,8 @@ public:
     /// Equation 4.2 for a new vertex over its neighbours, the user's wish, and the ceiling; the guard as the neighbours' mean.
     /// True if neighbours are too high for it now: gradeAgainFrom.
     bool assign(VertexId v, std::span<const VertexId> neighbours, double sizeCeiling = kNoSize);
+    /// A vertex outside of the solids has none.
+    void leaveOut(VertexId v);
     /// Lowers the scales around a vertex as far as its own is too low for them; `lowered` receives those that changed.
     void gradeAgainFrom(VertexId v, std::vector<VertexId>& lowered);
 

@@ -70,6 +70,7 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     result.stopReason = refinement.stopReason;
     result.counts = refinement.counts;
     result.left = std::move(refinement.left);
+    result.nonDelaunayFaces = std::move(refinement.nonDelaunayFaces);
     result.walls = std::move(refinement.walls);
     result.gaps = std::move(refinement.gaps);
     result.hasStalled = refinement.hasStalled;

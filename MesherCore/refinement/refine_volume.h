@@ -38,6 +38,8 @@ struct RefinedVolume
     std::vector<LeftTet3d> left;
     /// The same in groups, for people.
     std::vector<LeftPlace3d> places;
+    /// Unconstrained faces of regions that are not locally Delaunay, each with the reason.
+    std::vector<NonDelaunayFaces3d> nonDelaunayFaces;
     std::vector<ThinWall> walls;
     std::vector<NarrowGap> gaps;  ///< narrower than the least gap, beside which elements are left flat
     /// Whether it was ended since it made no headway any more, and where most of the work was done in vain then.

@@ -19,6 +19,14 @@ bool RefinementState3d::isBesideSmallAngle(std::span<const VertexId> entity) con
            });
 }
 
+void RefinementState3d::addOutside(VertexId v)
+{
+    if (t.nodeOf.size() <= v.value) t.nodeOf.resize(v.value + v.value / 4u + 16u);
+    t.nodeOf[v] = NodeId();
+    scale.leaveOut(v);
+    walls.assign(v, {}, kExteriorRegion);
+}
+
 const std::vector<TetId>& RefinementState3d::flipAround(std::span<const TetId> created)
 {
     flips.clearCreated();

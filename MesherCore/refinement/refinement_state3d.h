@@ -67,6 +67,9 @@ struct RefinementState3d
     /// Whether the entity has a vertex on a small angle: there the two sides of the angle always encroach upon each other.
     [[nodiscard]] bool isBesideSmallAngle(std::span<const VertexId> entity) const;
 
+    /// Of a vertex that was made outside of the solids: it has no size, and no part in any wall.
+    void addOutside(VertexId v);
+
     /// Makes the faces of new tetrahedra Delaunay as far as flips can; returns the tetrahedra of the flips.
     const std::vector<TetId>& flipAround(std::span<const TetId> created);
 

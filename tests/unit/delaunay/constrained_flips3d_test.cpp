@@ -129,5 +129,82 @@ TEST_F(FacetPair, KeepsADiagonalThatIsConstrainedItself)
     EXPECT_EQ(meshHash3d(mesh_), hash);
 }
 
+/// Two facets over the diagonal of a quadrilateral, one vertex inside and two outside beside the diagonal.
+class FacetPairBesideMore : public testing::Test
+{
+protected:
+    /// The fourth corner is `height` above the plane of the others.
+    void make(double height)
+    {
+        const std::vector<Vec3> points{{-1, -1, 0}, {1.2, -1.2, 0},   {1, 1, 0},       {-1.2, 1.2, height},
+                                       {0, 0, -3},  {0.4, -0.4, 1.5}, {-0.4, 0.4, 1.5}};
+        insertAll(delaunay_, points);
+        for (const Vec3& point : points) {
+            for (const VertexId v : liveVertices(mesh_)) {
+                if (mesh_.position(v) == point) vertex_.push_back(v);
+            }
+        }
+        for (const VertexId apex : {vertex_[1], vertex_[3]}) {
+            const TetFace face = mesh_.findFace(vertex_[0], vertex_[2], apex);
+            ASSERT_TRUE(face.isValid());
+            mesh_.setFaceConstrained(face, true);
+        }
+        for (const TetId tet : finiteTets(mesh_)) {
+            if (mesh_.slotOf(tet, vertex_[4]) >= 0) mesh_.setRegion(tet, kInside);
+        }
+        ASSERT_EQ(tetsAtDiagonal(kExteriorRegion).size(), 3u);
+    }
+    [[nodiscard]] std::vector<TetId> tetsAtDiagonal(RegionId region) const
+    {
+        std::vector<TetId> ring;
+        mesh_.collectEdgeRing(mesh_.findEdge(diagonal()[0], diagonal()[1]), diagonal()[0], diagonal()[1],
+                              ring);
+        std::erase_if(ring, [&](TetId tet) { return mesh_.region(tet) != region; });
+        return ring;
+    }
+    [[nodiscard]] std::array<VertexId, 2> diagonal() const { return {vertex_[0], vertex_[2]}; }
+    bool flip() { return flipFacetPair(mesh_, diagonal(), {vertex_[1], vertex_[3]}, changed_); }
+
+    static constexpr RegionId kInside{1};
+
+    Delaunay3d delaunay_;
+    Triangulation3d& mesh_ = delaunay_.triangulation();
+    std::vector<VertexId> vertex_;
+    std::vector<TetId> changed_;
+};
+
+TEST_F(FacetPairBesideMore, FlipsOnceAVertexOutsideHasClearedTheDiagonal)
+{
+    make(0.0);
+    ASSERT_FALSE(flip());
+    const auto centre = clearBesideEdge(mesh_, diagonal(), kExteriorRegion);
+    ASSERT_TRUE(centre.has_value());
+    EXPECT_TRUE(checkTopology3d(mesh_).isValid());
+    EXPECT_GT(mesh_.position(*centre).z, 0.0);
+    EXPECT_EQ(tetsAtDiagonal(kExteriorRegion).size(), 2u);
+    EXPECT_EQ(tetsAtDiagonal(kInside).size(), 2u);
+    EXPECT_TRUE(flip());
+    EXPECT_TRUE(checkTopology3d(mesh_).isValid());
+}
+
+TEST_F(FacetPairBesideMore, GetsTheTetrahedronOfItsCornersWhereItBends)
+{
+    make(0x1p-40);
+    ASSERT_TRUE(clearBesideEdge(mesh_, diagonal(), kExteriorRegion).has_value());
+    EXPECT_TRUE(checkTopology3d(mesh_).isValid());
+    const std::vector<TetId> outside = tetsAtDiagonal(kExteriorRegion);
+    ASSERT_EQ(outside.size(), 1u);
+    EXPECT_GE(mesh_.slotOf(outside.front(), vertex_[1]), 0);
+    EXPECT_GE(mesh_.slotOf(outside.front(), vertex_[3]), 0);
+}
+
+TEST_F(FacetPairBesideMore, StaysAsItIsOnASideWithTwoTetrahedra)
+{
+    make(0.0);
+    const std::uint64_t hash = meshHash3d(mesh_);
+    EXPECT_FALSE(clearBesideEdge(mesh_, diagonal(), kInside).has_value());
+    EXPECT_EQ(meshHash3d(mesh_), hash);
+}
+
 }  // namespace
 }  // namespace mesher::test

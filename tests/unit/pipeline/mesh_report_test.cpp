@@ -59,6 +59,22 @@ TEST(MeshReport, ListsTheFirstPlacesOfElementsLeftBad)
     EXPECT_EQ(left["places"][0]["point"], (std::vector<double>{1.0, 2.0, 3.0}));
 }
 
+TEST(MeshReport, ListsFacesThatAreNotDelaunay)
+{
+    MeshReport report;
+    report.nonDelaunay = {{"they bend", {"Face1", "Face2"}, 7, {1, 2, 3}, "take smaller ones"},
+                          {"they tie", {}, 2, {}, "none is needed"}};
+    const auto json = nlohmann::json::parse(toJson(report))["not_delaunay"];
+    EXPECT_EQ(json["count"], 9);
+    EXPECT_EQ(json["not_listed"], 0);
+    ASSERT_EQ(json["places"].size(), 2u);
+    EXPECT_EQ(json["places"][0]["entities"], (std::vector<std::string>{"Face1", "Face2"}));
+    EXPECT_EQ(json["places"][0]["reason"], "they bend");
+    EXPECT_EQ(json["places"][0]["count"], 7);
+    EXPECT_EQ(json["places"][0]["point"], (std::vector<double>{1.0, 2.0, 3.0}));
+    EXPECT_EQ(json["places"][1]["remedy"], "none is needed");
+}
+
 TEST(MeshReport, HasAnglesOfAPlaneMesh)
 {
     MeshReport report;

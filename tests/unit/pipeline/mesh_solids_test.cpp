@@ -120,5 +120,33 @@ TEST(MeshSolids, MeshesTheTipOfASharpConeWellWithoutImprovement)
     EXPECT_EQ(countOf(outcome.report, "non_delaunay_faces_left"), 0u);
 }
 
+TEST(MeshSolids, SaysWhatKeepsFacesFromBeingDelaunay)
+{
+    const auto cone = makeCone(Axes{.origin = {0.0, 0.0, 1.0}}, 1.0, 0.0, 8.8);
+    const auto box = makeBox({-5.0, -5.0, 0.0}, {5.0, 5.0, 10.0});
+    ASSERT_TRUE(cone && box);
+    MeshOptions options;
+    options.size = 1.2;
+    options.curvature = 8.0;
+    options.isImproved = false;
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(withHollow(*box, *cone), options, nullptr, context);
+    for (const Error& error : outcome.report.failures) ADD_FAILURE() << describe(error);
+    ASSERT_FALSE(outcome.report.nonDelaunay.empty()) << "this model has no such faces any more: take another";
+    std::uint64_t count = 0;
+    for (const LeftFaces& faces : outcome.report.nonDelaunay) {
+        count += faces.count;
+        EXPECT_FALSE(faces.remedy.empty());
+        EXPECT_LT(length(faces.place - Vec3{0.0, 0.0, 9.8}), 3.0) << "they are at the tip";
+        EXPECT_EQ(faces.reason.find("beside ") != std::string::npos, !faces.entities.empty()) << faces.reason;
+    }
+    EXPECT_EQ(count, countOf(outcome.report, "non_delaunay_faces_left"));
+    const bool isSideNamed =
+        std::any_of(outcome.report.nonDelaunay.begin(), outcome.report.nonDelaunay.end(), [](const auto& f) {
+            return std::find(f.entities.begin(), f.entities.end(), "Face7") != f.entities.end();
+        });
+    EXPECT_TRUE(isSideNamed);
+}
+
 }  // namespace
 }  // namespace mesher::test

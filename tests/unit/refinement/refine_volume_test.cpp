@@ -123,6 +123,10 @@ TEST_P(RefineVolume, KeepsAFrozenBoundary)
     EXPECT_EQ(solid.splitter->mesh().nodes.size(), nodes);
     EXPECT_EQ(result.counts.facetSplits + result.counts.segmentSplits, 0u);
     EXPECT_NEAR(meshedVolume(solid), volume, 1e-12);
+    std::uint64_t explained = 0;
+    for (const NonDelaunayFaces3d& faces : result.nonDelaunayFaces) explained += faces.count;
+    EXPECT_EQ(explained, countNonDelaunayFaces(solid.tetrahedralization.mesh(), DelaunayPart::Inside));
+    EXPECT_EQ(explained, result.counts.nonDelaunayFaces);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, RefineVolume, testing::Range<std::size_t>(0, cases().size()),
