@@ -18,6 +18,8 @@ void tellCounts(const SurfaceSamplingCounts& counts, MeshReport& report)
     add(report, "curve_vertices", counts.curveNodes);
     add(report, "initial_surface_vertices", counts.initialVertices);
     add(report, "initial_facets_left_alone", counts.initialLeftAlone);
+    add(report, "tips_without_ring", counts.openTips);
+    add(report, "fan_facets_released", counts.refinement.releasedFans);
     add(report, "sample_vertices", counts.vertices);
     add(report, "sample_facets", counts.facets);
     add(report, "sample_segments", counts.segments);
@@ -26,6 +28,7 @@ void tellCounts(const SurfaceSamplingCounts& counts, MeshReport& report)
     add(report, "halved_facet_edges", splits.splitEdges);
     add(report, "folded_stars", splits.foldedStars);
     add(report, "steep_stars", splits.steepStars);
+    add(report, "forced_stars", counts.refinement.forcedStars);
     add(report, "flat_rims", counts.flatRims.size());
     add(report, "rim_facets_left", counts.refinement.leftOnRims);
     add(report, "wall_facet_splits", counts.walls.facetsSplit);

@@ -234,14 +234,18 @@ std::vector<BrepEdgeId> edgesAt(const BrepModel& model, BrepFaceId face, BrepVer
     return edges;
 }
 
-void insertApexRings(const BrepModel& model, BrepFaceId id, const CurveChains& chains, FaceTriangulation& t)
+std::size_t insertApexRings(const BrepModel& model, BrepFaceId id, const CurveChains& chains,
+                            FaceTriangulation& t)
 {
+    std::size_t open = 0;
     for (const FaceApex& apex : apexesOf(model, id)) {
         const double radius = chains.shellAround(apex.vertex);
-        if (!(radius > 0.0)) continue;
         RingMaker maker(model.faces[id], apex, model.vertices[apex.vertex].position, radius, t);
-        if (maker.findEnds(chains) && maker.insertPoints()) maker.holdSides();
+        const bool isMade =
+            radius > 0.0 && maker.findEnds(chains) && maker.insertPoints() && maker.holdSides();
+        open += isMade ? 0 : 1;
     }
+    return open;
 }
 
 bool isAtFan(const BrepModel& model, BrepFaceId id, const CurveChains& chains, const Vec3& point)

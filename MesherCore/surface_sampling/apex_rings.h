@@ -5,6 +5,7 @@
 #include "surface_sampling/face_outline.h"
 #include "surface_sampling/face_triangulation.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace mesher {
@@ -30,10 +31,11 @@ struct FaceApex
 /// Puts a ring of points around each apex of a face, as far from it as the shell that cuts the curves there, and holds the sides
 /// of the ring. What lies between the ring and the apex is one fan of facets then. Refinement never gets the better of a tip:
 /// in its own size it looks the same from near.
+/// Returns the tips that have no ring, for want of room or of points on the curves at that distance.
 /// Guarantees   FacePoint::isOnRing of the points on rings that are complete
 /// Reference    [gosselin] §3.3.2.4 names the tip as a failure, §2.5 has the shells
-void insertApexRings(const BrepModel& model, BrepFaceId face, const CurveChains& chains,
-                     FaceTriangulation& t);
+std::size_t insertApexRings(const BrepModel& model, BrepFaceId face, const CurveChains& chains,
+                            FaceTriangulation& t);
 
 /// Does the point lie beside the fan of an apex, or in it, where points would crowd it?
 [[nodiscard]] bool isAtFan(const BrepModel& model, BrepFaceId face, const CurveChains& chains,

@@ -133,6 +133,7 @@ struct Shaping
 {
     ShapeOutcome outcome = ShapeOutcome::Done;
     std::size_t leftAlone = 0;
+    std::size_t openTips = 0;
 };
 
 /// Refines by turns until the facets follow the surface and each of their sides is one of its own.
@@ -146,7 +147,7 @@ Shaping shapeFace(const BrepModel& model, BrepFaceId id, const FaceOutline& outl
     if (!t.tooCoarse.empty()) return shaping;
     const bool isCurved = face.surface->kind() != SurfaceKind::Plane;
     if (isCurved) {
-        insertApexRings(model, id, chains, t);
+        shaping.openTips = insertApexRings(model, id, chains, t);
         seedFace(model, id, chains, t);
     }
     for (int turn = 0; turn < kMostTurns; ++turn) {
@@ -194,6 +195,7 @@ Result<InitialFaceMesh> triangulateFace(const BrepModel& model, BrepFaceId face,
     }
     auto mesh = FaceLifter(face, model.faces[face], *triangulation, firstInteriorNode).run(*outline);
     if (mesh) mesh->leftAlone += shaping.leftAlone;
+    if (mesh) mesh->openTips = shaping.openTips;
     return mesh;
 }
 

@@ -54,6 +54,7 @@ struct InitialFaceMesh
     /// Facets that depart from the surface by more than the option allows, and are too small to be split, or too narrow for the
     /// face's tolerance.
     std::size_t leftAlone = 0;
+    std::size_t openTips = 0;  ///< of cones and the like, without a ring
     /// Not empty: the chains are too coarse for the face. Split these and try again; there are no facets then.
     std::vector<SegmentId> tooCoarse;
 };

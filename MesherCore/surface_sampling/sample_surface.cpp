@@ -118,6 +118,7 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     for (const InitialFaceMesh& face : initial.faces) {
         counts.initialFacets += face.facets.size();
         counts.initialLeftAlone += face.leftAlone;
+        counts.openTips += face.openTips;
     }
     sample.seconds.initial = secondsSince(start);
 

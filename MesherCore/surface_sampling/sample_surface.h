@@ -46,6 +46,7 @@ struct SurfaceSamplingCounts
     std::size_t initialVertices = 0;  ///< of the first meshes
     std::size_t initialFacets = 0;
     std::size_t initialLeftAlone = 0;  ///< of these, InitialFaceMesh::leftAlone
+    std::size_t openTips = 0;          ///< InitialFaceMesh::openTips
     std::size_t vertices = 0;
     std::size_t segments = 0;
     std::size_t facets = 0;

@@ -31,6 +31,7 @@ FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCount
     leftAtSmallAngles += other.leftAtSmallAngles;
     leftForResolution += other.leftForResolution;
     leftOnRims += other.leftOnRims;
+    releasedFans += other.releasedFans;
     return *this;
 }
 
@@ -115,7 +116,10 @@ bool FaceRefiner::queueGivenUp()
 
 void FaceRefiner::force(TriangleId t)
 {
-    if (mesh_.isOfFan(t)) mesh_.releaseFan(t);
+    if (mesh_.isOfFan(t)) {
+        mesh_.releaseFan(t);
+        ++counts_.releasedFans;
+    }
     mesh_.triangle(t).isForced = true;
     mesh_.triangle(t).left = FacetLeft::No;
     queueTriangle(t);

@@ -50,6 +50,7 @@ struct FaceRefinementCounts
     std::size_t leftAtSmallAngles = 0;  ///< facets, see FacetLeft
     std::size_t leftForResolution = 0;  ///< facets
     std::size_t leftOnRims = 0;         ///< facets, see FaceRefiner::leaveFlat
+    std::size_t releasedFans = 0;       ///< facets of fans around tips that had to be split
     FacetSplitCounts splits;
 
     FaceRefinementCounts& operator+=(const FaceRefinementCounts& other);

@@ -326,8 +326,23 @@ TEST(OcctSurfaces, HaveOneFanAtATip)
             EXPECT_GE(facts.facets, 4);
             EXPECT_LE(facts.facets, 9);
             EXPECT_LT(facts.unevenness, 1e-9);
+            EXPECT_EQ(sample->counts.openTips, 0u);
         }
     }
+}
+
+TEST(OcctSurfaces, CountTheTipsWithoutRoomForARing)
+{
+    const TopoDS_Shape hole =
+        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.53, 0.0, -1.0), gp_Dir(0.0, 0.0, 1.0)), 0.5, 10.0).Shape();
+    auto read =
+        readModelFromShape(BRepAlgoAPI_Cut(BRepPrimAPI_MakeCone(5.0, 0.0, 2.0).Shape(), hole).Shape());
+    ASSERT_TRUE(read) << describe(read.error());
+    RunContext context;
+    const auto sample = sampleSurface(read->model, {}, context);
+    ASSERT_TRUE(sample) << describe(sample.error());
+    EXPECT_TRUE(sample->failures.empty());
+    EXPECT_EQ(sample->counts.openTips, 1u);
 }
 
 TEST(OcctSurfaces, StepOverWhatIsNarrowerThanTheTolerance)
