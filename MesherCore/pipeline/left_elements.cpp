@@ -26,12 +26,14 @@ std::string angleText(const LeftPlace3d& place)
     return nameOf(place.entity[1]) + " and " + nameOf(place.entity[2]) + at;
 }
 
-/// " beside Face5 and Edge2", as far as they are known.
+/// " beside Face5 and Edge2" or " in Solid1", as far as they are known.
 std::string besideText(std::span<const EntityRef> entities)
 {
     std::string text;
     for (const EntityRef entity : entities) {
-        if (entity.index != EntityRef::kNone) text += (text.empty() ? " beside " : " and ") + nameOf(entity);
+        if (entity.index == EntityRef::kNone) continue;
+        const std::string first = entity.dimension == 3 ? " in " : " beside ";
+        text += (text.empty() ? first : " and ") + nameOf(entity);
     }
     return text;
 }
@@ -43,10 +45,12 @@ std::string reasonOf(const LeftPlace3d& place)
         case LeftReason3d::ThinWall:
             return "the thin wall between " + nameOf(place.entity[0]) + " and " + nameOf(place.entity[1]) +
                    " is kept flat";
-        case LeftReason3d::LengthScale: return "better ones would be far smaller than the shape around them";
+        case LeftReason3d::LengthScale:
+            return "better ones would be far smaller than the shape around them" + besideText(place.entity);
         case LeftReason3d::Boundary:
             return nameOf(place.entity[0]) + " beside them cannot be split any further";
-        case LeftReason3d::Resolution: return "no place for a better vertex was found";
+        case LeftReason3d::Resolution:
+            return "no place for a better vertex was found" + besideText(place.entity);
         case LeftReason3d::NoHeadway: return "refinement made no headway" + besideText(place.entity);
         case LeftReason3d::Unfinished: return "the run was ended before";
     }

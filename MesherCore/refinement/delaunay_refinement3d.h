@@ -67,7 +67,7 @@ struct LeftTet3d
     TetId tet;
     LeftReason3d reason = LeftReason3d::Unfinished;
     std::optional<SmallInputAngle> angle;
-    EntityRef entity;  ///< of the boundary in the way; none inside
+    EntityRef entity;  ///< in the way, or that a corner is on, or the solid; none where nothing was tried
     EntityRef other;   ///< the second face of a wall
 };
 

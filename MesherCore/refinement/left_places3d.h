@@ -15,7 +15,7 @@ struct LeftPlace3d
 {
     LeftReason3d reason = LeftReason3d::Unfinished;
     /// At a small angle the edge and its two faces, or the vertex and its two edges; of a wall its two faces; else what is in
-    /// the way. Those that are not known stand at the end, invalid.
+    /// the way or beside them, or the solid. Those that are not known stand at the end, invalid.
     std::array<EntityRef, 3> entity;
     double degrees = 0.0;  ///< of the small angle
     std::uint64_t count = 0;

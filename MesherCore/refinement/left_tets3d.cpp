@@ -3,6 +3,7 @@
 #include "refinement/encroachment3d.h"
 #include "refinement/insert_circumcentre.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace mesher {
@@ -38,6 +39,17 @@ EntityRef boundaryInTheWay(RefinementState3d& state, TetId tet)
     return facet == nullptr ? EntityRef{} : EntityRef{2, state.splitter.mesh().facets[*facet].face.value};
 }
 
+/// The vertex, edge or face that a corner is on, the lowest; else the solid.
+EntityRef entityBeside(const RefinementState3d& state, TetId tet)
+{
+    EntityRef found{3, state.mesh.region(tet).value - 1};
+    for (const VertexId v : state.mesh.tet(tet).vertex) {
+        const NodeId node = v.value < state.t.nodeOf.size() ? state.t.nodeOf[v] : NodeId();
+        if (node.isValid()) found = std::min(found, state.splitter.mesh().nodes[node].entity);
+    }
+    return found;
+}
+
 LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict, bool isStopped,
                   std::span<const WorkLedger3d::Entry> costliest)
 {
@@ -55,6 +67,7 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
         left.reason = LeftReason3d::SmallInputAngle;
     } else if (verdict.need == TetNeed::Nothing) {
         left.reason = LeftReason3d::LengthScale;
+        left.entity = entityBeside(state, tet);
     } else if (!costliest.empty()) {
         left.reason = LeftReason3d::NoHeadway;
         left.entity = costliest[0].entity;
@@ -63,6 +76,7 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
         left.entity = boundaryInTheWay(state, tet);
         left.reason =
             left.entity.index != EntityRef::kNone ? LeftReason3d::Boundary : LeftReason3d::Resolution;
+        if (left.reason == LeftReason3d::Resolution) left.entity = entityBeside(state, tet);
     }
     return left;
 }

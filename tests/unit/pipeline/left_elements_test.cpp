@@ -2,6 +2,7 @@
 
 #include "brep/analytic/solids.h"
 #include "pipeline/mesh_solids.h"
+#include "support/model_union.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,27 @@ TEST(LeftElements, FillAWallWithGoodTetrahedraWhereTheyMayBeAsMany)
     ASSERT_TRUE(outcome.report.tetQuality.has_value());
     EXPECT_GE(outcome.report.tetQuality->dihedral.least(), 18.0);
     EXPECT_LE(outcome.report.tetQuality->dihedral.largest(), 155.1);
+}
+
+TEST(LeftElements, NameWhatTheyAreBesideWhereTheShapeAllowsOfNoBetterOnes)
+{
+    // A hollow that comes to within 0.013 of the bottom.
+    const auto box = makeBox({-3.0, -3.0, 0.0}, {3.0, 3.0, 6.0});
+    const auto ball = makeSphere(Axes{.origin = {0.0, 0.0, 2.013}}, 2.0);
+    ASSERT_TRUE(box && ball);
+    MeshOptions options;
+    options.size = 1.2;
+    options.curvature = 12.0;
+    options.isImproved = false;
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(test::withHollow(*box, *ball), options, nullptr, context);
+    ASSERT_FALSE(outcome.report.left.empty());
+    for (const LeftElements& left : outcome.report.left) {
+        ASSERT_FALSE(left.entities.empty()) << left.reason;
+        EXPECT_NE(left.reason.find(left.entities.front()), std::string::npos) << left.reason;
+        EXPECT_NE(left.reason.find("beside "), std::string::npos) << left.reason;
+    }
+    EXPECT_EQ(outcome.report.left.front().entities.front(), "Face5");
 }
 
 TEST(LeftElements, TellARimThatIsKeptFlatWhereGoodFacetsWouldTakeFarMoreThanTheWall)
