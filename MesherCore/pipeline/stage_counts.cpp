@@ -62,6 +62,7 @@ void tellCounts(const RefinedVolume& refined, MeshReport& report)
     add(report, "delaunay_flips", counts.delaunayFlips);
     add(report, "delaunay_cavities", counts.delaunayCavities);
     add(report, "facet_swaps", counts.facetSwaps);
+    add(report, "stubborn_tets", counts.stubbornTets);
     add(report, "outside_vertices", counts.outsideVertices);
     add(report, "non_delaunay_faces_left", counts.nonDelaunayFaces);
     add(report, "refinement_cut_short", refined.hasStalled ? 1 : 0);

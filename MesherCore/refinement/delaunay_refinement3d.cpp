@@ -8,6 +8,7 @@
 #include "refinement/non_delaunay_faces3d.h"
 #include "refinement/refinement_check.h"
 #include "refinement/refinement_state3d.h"
+#include "refinement/stubborn_tets3d.h"
 
 #include <algorithm>
 #include <bit>
@@ -26,6 +27,7 @@ public:
           boundary_(state_, badTets_),
           insertion_(state_, badTets_, boundary_),
           swap_(state_),
+          stubborn_(state_, insertion_, swap_),
           budget_(budget),
           context_(context)
     {
@@ -35,7 +37,7 @@ public:
     {
         state_.scale.setInitial();
         countTets();
-        flipAll();
+        flipAll(FacetSwap3d::kNearlyPlane);
         state_.walls.find(state_.splitter.mesh(), state_.options.maxWallTets);
         insertSinks();
         if (state_.options.boundary == BoundaryPolicy::Split) {
@@ -49,6 +51,7 @@ public:
         drain(Phase::Quality);
         DelaunayRefinement3d result;
         result.nonDelaunayFaces = makeDelaunay();
+        if (insistOnStubborn()) result.nonDelaunayFaces = makeDelaunay();
         result.hasStalled = hasStalled_;
         constexpr std::size_t kMostEntities = 5;
         if (hasStalled_) result.costliest = state_.ledger.costliest(kMostEntities);
@@ -124,15 +127,54 @@ private:
         }
     }
 
+    /// Bad tetrahedra that nothing could be done for are tried once more if they are few. Whether anything was changed.
+    bool insistOnStubborn()
+    {
+        constexpr int kMostRounds = 4;
+        constexpr std::size_t kFew = 50;
+        const auto changes = [&] {
+            return state_.counts.qualityInsertions + state_.counts.segmentSplits + state_.counts.facetSplits +
+                   state_.counts.facetSwaps;
+        };
+        const std::uint64_t atFirst = changes();
+        for (int round = 0; round < kMostRounds && hasFailed_ && !isStopped_; ++round) {
+            const std::uint64_t before = changes();
+            for (const TetId tet : stubborn_.findFew(kFew)) insistOn(tet);
+            drain(Phase::Quality);
+            if (changes() == before) break;
+        }
+        return changes() != atFirst;
+    }
+
+    void insistOn(TetId tet)
+    {
+        constexpr int kMostSplits = 4;
+        const std::uint16_t generation = state_.mesh.generation(tet);
+        const auto isThere = [&] {
+            return state_.isMeshed(tet) && state_.mesh.generation(tet) == generation;
+        };
+        // It may be another one in the place of one that an earlier try has removed.
+        if (!isThere() || state_.judge(tet).need != TetNeed::Quality) return;
+        Attempt attempt = Attempt::Rejected;
+        for (int k = 0; k < kMostSplits && attempt == Attempt::Rejected && isThere() && !isStopped_; ++k) {
+            attempt = stubborn_.attempt(tet);
+            if (attempt == Attempt::Inserted) ++state_.counts.qualityInsertions;
+            pushNew(stubborn_.changed());
+            drain(Phase::Boundary);
+        }
+        if (!isThere()) ++state_.counts.stubbornTets;
+    }
+
     /// Flips and refinement in turn, since flips can make slivers, until both are content. Returns what is left.
     std::vector<NonDelaunayFaces3d> makeDelaunay()
     {
         constexpr int kMostRounds = 8;
         bool isChanged = true;
         for (int round = 0; round < kMostRounds && isChanged; ++round) {
-            isChanged = flipAll();
+            isChanged = flipAll(FacetSwap3d::kThin);
             if (isChanged) drain(Phase::Quality);
         }
+        state_.counts.nonDelaunayFaces = 0;
         if (!isChanged && state_.flips.stuck().empty()) return {};
         std::vector<NonDelaunayFaces3d> left = explainNonDelaunayFaces(state_, !isChanged);
         for (const NonDelaunayFaces3d& faces : left) state_.counts.nonDelaunayFaces += faces.count;
@@ -140,7 +182,7 @@ private:
     }
 
     /// Makes all faces Delaunay as far as possible. False if nothing was to be changed.
-    bool flipAll()
+    bool flipAll(double mostHeight)
     {
         bool isChanged = expelSlivers();
         state_.flips.pushAll(state_.flipBudget);
@@ -149,7 +191,7 @@ private:
             state_.flips.flipAndFill(state_.flipBudget);
             isChanged = isChanged || !state_.flips.created().empty();
             pushNew(state_.flips.created());
-        } while (swapStuck());
+        } while (swapStuck(mostHeight));
         return isChanged;
     }
 
@@ -166,13 +208,13 @@ private:
     }
 
     /// Swaps the diagonals of facets that keep faces from being flipped. Whether there were any.
-    bool swapStuck()
+    bool swapStuck(double mostHeight)
     {
         bool isChanged = false;
         const std::vector<TetFace> stuck = state_.flips.stuck();
         for (const TetFace face : stuck) {
             if (!state_.isMeshed(face.tet()) || !state_.flips.isNotDelaunay(face)) continue;
-            if (!swap_.swapAt(face)) continue;
+            if (!swap_.swapAt(face, mostHeight)) continue;
             isChanged = true;
             state_.flips.push(swap_.changed());
             pushNew(swap_.changed());
@@ -206,7 +248,7 @@ private:
                 ++(need == TetNeed::Size ? state_.counts.sizeInsertions : state_.counts.qualityInsertions);
                 break;
             case Attempt::Rejected: badTets_.pushAgain(*entry, need); break;
-            case Attempt::Impossible: break;
+            case Attempt::Impossible: hasFailed_ = true; break;
         }
         return true;
     }
@@ -226,12 +268,14 @@ private:
     BoundaryQueue3d boundary_;
     CircumcentreInsertion insertion_;
     FacetSwap3d swap_;
+    StubbornTets stubborn_;
     Budget& budget_;
     RunContext& context_;
     std::uint32_t exteriorTets_ = 0;  ///< at the start, ghosts included
     double progress_ = 0.0;
     bool isStopped_ = false;
     bool hasStalled_ = false;
+    bool hasFailed_ = false;  ///< some tetrahedron could not be refined
 };
 
 }  // namespace

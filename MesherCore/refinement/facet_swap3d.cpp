@@ -34,14 +34,14 @@ std::optional<FacetSwap3d::Diagonal> FacetSwap3d::diagonalAt(VertexId a, VertexI
     return diagonal;
 }
 
-bool FacetSwap3d::isNearlyPlane(const Diagonal& diagonal) const
+/// Of the fourth corner above the other three, as a share of the diagonal.
+double FacetSwap3d::heightOf(const Diagonal& diagonal) const
 {
     const auto position = [&](VertexId v) { return state_.mesh.position(v); };
     const Vec3 origin = position(diagonal.end[0]);
     const Vec3 along = position(diagonal.end[1]) - origin;
     const Vec3 normal = cross(along, position(diagonal.apex[0]) - origin);
-    const double height = std::abs(dot(normal, position(diagonal.apex[1]) - origin));
-    return height <= kNearlyPlane * length(normal) * length(along);
+    return std::abs(dot(normal, position(diagonal.apex[1]) - origin)) / (length(normal) * length(along));
 }
 
 /// The tetrahedron of the four corners, if there is one.
@@ -54,7 +54,7 @@ TetId FacetSwap3d::sliverAt(const Diagonal& diagonal) const
     return {};
 }
 
-bool FacetSwap3d::swapAt(TetFace face)
+bool FacetSwap3d::swapAt(TetFace face, double mostHeight)
 {
     const Triangulation3d& mesh = state_.mesh;
     changed_.clear();
@@ -65,7 +65,7 @@ bool FacetSwap3d::swapAt(TetFace face)
     for (unsigned k = 0; k < 3; ++k) {
         const std::optional<Diagonal> diagonal = diagonalAt(corner[k], corner[(k + 1) % 3]);
         if (!diagonal || !std::is_permutation(apices.begin(), apices.end(), diagonal->apex.begin())) continue;
-        if (!isNearlyPlane(*diagonal)) continue;
+        if (!(heightOf(*diagonal) <= mostHeight)) continue;
         return swapWhatIsThere(*diagonal) || (clearOutside(*diagonal) && swapWhatIsThere(*diagonal));
     }
     return false;
@@ -92,7 +92,7 @@ bool FacetSwap3d::clearOutside(const Diagonal& diagonal)
     return true;
 }
 
-bool FacetSwap3d::expel(TetId tet)
+bool FacetSwap3d::expel(TetId tet, double mostHeight)
 {
     const Triangulation3d& mesh = state_.mesh;
     changed_.clear();
@@ -107,7 +107,7 @@ bool FacetSwap3d::expel(TetId tet)
         if (!isBetweenFacets) continue;
         const auto diagonal =
             diagonalAt(mesh.vertex(tet, kEdgeSlots[edge][0]), mesh.vertex(tet, kEdgeSlots[edge][1]));
-        if (!diagonal || !isNearlyPlane(*diagonal)) continue;
+        if (!diagonal || !(heightOf(*diagonal) <= mostHeight)) continue;
         giveToOtherSide(tet, *diagonal);
         return true;
     }

@@ -21,6 +21,10 @@ Attempt CircumcentreInsertion::attempt(TetId tet)
     const std::optional<Vec3> centre = state_.criteria.circumcentre(tet);
     const Attempt first = centre ? attemptAt(tet, onGrid(*centre)) : Attempt::Impossible;
     if (first != Attempt::Impossible || badTets_.isSinkPhase()) return first;
+    // Flat ones on a ring have no circumcentre to speak of.
+    if (const auto fan = state_.fans.withRingThrough(state_.mesh.tet(tet).vertex)) {
+        if (insertCentreOf(*fan, tet) == Attempt::Inserted) return Attempt::Inserted;
+    }
     if (!state_.criteria.isNearlyFlat(tet)) return centre ? insertShortOf(tet, *centre) : first;
     const std::optional<Vec3> ofFace = state_.criteria.centreOfLargestFace(tet);
     if (!ofFace) return Attempt::Impossible;
@@ -187,7 +191,8 @@ Attempt CircumcentreInsertion::reject(TetId tet, const Encroached3d& encroached)
 bool CircumcentreInsertion::wouldShrink(TetId tet, std::span<const VertexId> entity)
 {
     if (!state_.guard.hasAny() || state_.judge(tet).need != TetNeed::Quality) return false;
-    if (!state_.isBesideSmallAngle(entity)) return false;
+    const double angle = state_.smallAngleBeside(entity);
+    if (angle >= (isInsisting_ ? kLeastInsisted : SmallAngleGuard::kSmallDihedral)) return false;
     double longest = 0.0;
     for (std::size_t i = 0; i < entity.size(); ++i) {
         const Vec3 side =

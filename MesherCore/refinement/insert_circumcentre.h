@@ -32,10 +32,14 @@ public:
     }
 
     Attempt attempt(TetId tet);
+    /// Whether edges may get shorter at angles that are not very small: for a few tetrahedra at the end.
+    void insist(bool isInsisting) { isInsisting_ = isInsisting; }
     /// What of the model kept the last attempt from inserting anything; none if that was something inside.
     [[nodiscard]] EntityRef inTheWay() const { return inTheWay_; }
 
 private:
+    static constexpr double kLeastInsisted = 25.0;  // degrees
+
     Attempt attemptAt(TetId tet, const Vec3& point);
     Attempt insertShortOf(TetId tet, const Vec3& centre);
     Attempt reject(TetId tet, const Encroached3d& encroached);
@@ -53,6 +57,7 @@ private:
     BadTetQueue& badTets_;
     BoundaryQueue3d& boundary_;
     EntityRef inTheWay_;
+    bool isInsisting_ = false;
 };
 
 }  // namespace mesher

@@ -2,6 +2,7 @@
 
 #include "base/indexed_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mesher {
@@ -74,6 +75,15 @@ std::optional<std::uint32_t> KeptFans::crowdedBy(const Vec3& point, std::span<co
         if (dot(away, axis) >= ball.leastCosine * length(away) * length(axis)) return ballOf_[v];
     }
     return {};
+}
+
+std::optional<std::uint32_t> KeptFans::withRingThrough(std::span<const VertexId> vertices) const
+{
+    const auto ballAt = [&](VertexId v) { return v.value < ballOf_.size() ? ballOf_[v] : kNone; };
+    const std::uint32_t ball = ballAt(vertices.front());
+    const bool isOne = ball != kNone && std::all_of(vertices.begin(), vertices.end(),
+                                                    [&](VertexId v) { return ballAt(v) == ball; });
+    return isOne ? std::optional<std::uint32_t>(ball) : std::nullopt;
 }
 
 std::optional<Vec3> KeptFans::freeCentre(std::uint32_t fan) const

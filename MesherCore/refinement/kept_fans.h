@@ -25,6 +25,8 @@ public:
     /// Coordinates of the tetrahedralization.
     [[nodiscard]] std::optional<std::uint32_t> crowdedBy(const Vec3& point,
                                                          std::span<const VertexId> beside) const;
+    /// The fan whose ring all of the vertices are on.
+    [[nodiscard]] std::optional<std::uint32_t> withRingThrough(std::span<const VertexId> vertices) const;
     /// The middle of its ring; none once that is taken.
     [[nodiscard]] std::optional<Vec3> freeCentre(std::uint32_t fan) const;
     void take(std::uint32_t fan) { balls_[fan].isTaken = true; }

@@ -27,6 +27,16 @@ void RefinementState3d::addOutside(VertexId v)
     walls.assign(v, {}, kExteriorRegion);
 }
 
+double RefinementState3d::smallAngleBeside(std::span<const VertexId> entity) const
+{
+    double least = 180.0;
+    for (const VertexId v : entity) {
+        const NodeId node = t.nodeOf[v];
+        if (node.isValid()) least = std::min(least, guard.degreesAt(splitter.mesh().nodes[node].entity));
+    }
+    return least;
+}
+
 const std::vector<TetId>& RefinementState3d::flipAround(std::span<const TetId> created)
 {
     flips.clearCreated();

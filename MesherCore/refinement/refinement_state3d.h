@@ -70,6 +70,9 @@ struct RefinementState3d
     /// Of a vertex that was made outside of the solids: it has no size, and no part in any wall.
     void addOutside(VertexId v);
 
+    /// The least of these angles, in degrees; 180 without one.
+    [[nodiscard]] double smallAngleBeside(std::span<const VertexId> entity) const;
+
     /// Makes the faces of new tetrahedra Delaunay as far as flips can; returns the tetrahedra of the flips.
     const std::vector<TetId>& flipAround(std::span<const TetId> created);
 

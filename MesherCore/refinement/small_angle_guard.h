@@ -38,6 +38,14 @@ public:
     /// length scale there.
     [[nodiscard]] std::optional<SmallInputAngle> blameFor(const Vec3& point, double reach) const;
     [[nodiscard]] bool hasAny() const { return !edges_.empty() || !vertices_.empty(); }
+    /// The small angle of a model edge or vertex, in degrees; 180 without one.
+    [[nodiscard]] double degreesAt(EntityRef entity) const
+    {
+        const SmallInputAngle* angle = entity.dimension == 0   ? vertices_.find(entity.index)
+                                       : entity.dimension == 1 ? edges_.find(entity.index)
+                                                               : nullptr;
+        return angle != nullptr ? angle->degrees : 180.0;
+    }
     /// Whether the model edge or vertex has a small angle.
     [[nodiscard]] bool isSmallAt(EntityRef entity) const
     {

@@ -120,6 +120,33 @@ TEST(MeshSolids, MeshesTheTipOfASharpConeWellWithoutImprovement)
     EXPECT_EQ(countOf(outcome.report, "non_delaunay_faces_left"), 0u);
 }
 
+/// Cones of radius 3 that a few slivers were left in: on a ring, in front of a fan, at a base with an angle of less than 60 degrees.
+TEST(MeshSolids, LeavesNoSliversInConesWithoutImprovement)
+{
+    struct Case
+    {
+        double halfAngle, size, curvature;
+    };
+    for (const Case& c :
+         {Case{44.0, 1.4, 12.0}, Case{32.0, 0.3, 12.0}, Case{22.0, 0.5, 8.0}, Case{26.0, 1.4, 12.0},
+          Case{58.0, 0.7, 12.0}, Case{28.0, 1.4, 12.0}, Case{36.0, 0.5, 8.0}, Case{30.0, 1.4, 8.0},
+          Case{22.0, 1.4, 16.0}, Case{20.0, 1.4, 12.0}}) {
+        SCOPED_TRACE(std::to_string(c.halfAngle) + " " + std::to_string(c.size));
+        const auto cone = makeCone({}, 3.0, 0.0, 3.0 / std::tan(c.halfAngle * std::numbers::pi / 180.0));
+        ASSERT_TRUE(cone);
+        MeshOptions options;
+        options.size = c.size;
+        options.curvature = c.curvature;
+        options.isImproved = false;
+        RunContext context;
+        const MeshOutcome outcome = meshSolids(*cone, options, nullptr, context);
+        ASSERT_TRUE(outcome.mesh && outcome.report.tetQuality);
+        EXPECT_GT(outcome.report.tetQuality->dihedral.least(), 18.0);
+        EXPECT_LT(outcome.report.tetQuality->dihedral.largest(), 155.1);
+        EXPECT_EQ(countOf(outcome.report, "non_delaunay_faces_left"), 0u);
+    }
+}
+
 TEST(MeshSolids, SaysWhatKeepsFacesFromBeingDelaunay)
 {
     const auto cone = makeCone(Axes{.origin = {0.0, 0.0, 1.0}}, 1.0, 0.0, 8.8);
