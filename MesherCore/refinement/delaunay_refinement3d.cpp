@@ -27,7 +27,7 @@ public:
           boundary_(state_, badTets_),
           insertion_(state_, badTets_, boundary_),
           swap_(state_),
-          stubborn_(state_, insertion_, swap_),
+          stubborn_(state_, boundary_, insertion_, swap_),
           budget_(budget),
           context_(context)
     {
@@ -137,7 +137,7 @@ private:
                    state_.counts.facetSwaps;
         };
         const std::uint64_t atFirst = changes();
-        for (int round = 0; round < kMostRounds && hasFailed_ && !isStopped_; ++round) {
+        for (int round = 0; round < kMostRounds && !isStopped_; ++round) {
             const std::uint64_t before = changes();
             for (const TetId tet : stubborn_.findFew(kFew)) insistOn(tet);
             drain(Phase::Quality);
@@ -248,7 +248,7 @@ private:
                 ++(need == TetNeed::Size ? state_.counts.sizeInsertions : state_.counts.qualityInsertions);
                 break;
             case Attempt::Rejected: badTets_.pushAgain(*entry, need); break;
-            case Attempt::Impossible: hasFailed_ = true; break;
+            case Attempt::Impossible: break;
         }
         return true;
     }
@@ -275,7 +275,6 @@ private:
     double progress_ = 0.0;
     bool isStopped_ = false;
     bool hasStalled_ = false;
-    bool hasFailed_ = false;  ///< some tetrahedron could not be refined
 };
 
 }  // namespace

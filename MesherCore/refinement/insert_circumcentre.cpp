@@ -32,6 +32,27 @@ Attempt CircumcentreInsertion::attempt(TetId tet)
     return attemptAt(tet, onGrid(*ofFace));
 }
 
+Attempt CircumcentreInsertion::attemptNearer(TetId tet)
+{
+    const std::optional<Vec3> centre = state_.criteria.circumcentre(tet);
+    if (!centre) return Attempt::Impossible;
+    Vec3 centroid;
+    for (const VertexId v : state_.mesh.tet(tet).vertex) centroid = centroid + 0.25 * state_.mesh.position(v);
+    for (const double share : {0.8, 0.6, 0.4, 0.2}) {
+        const Vec3 point = onGrid(centroid + share * (*centre - centroid));
+        if (!isFinite(point) || !hasRoomAtCorners(tet, point)) continue;
+        const Encroached3d encroached = findInTheWay(*state_.t.delaunay, tet, point);
+        if (encroached.segment[0].isValid() || encroached.facet.isValid()) continue;
+        const RegionId region = state_.mesh.region(tet);
+        const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
+        if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) continue;
+        ++state_.counts.shortInsertions;
+        insert(region, cavity.repairs > 0);
+        return Attempt::Inserted;
+    }
+    return Attempt::Impossible;
+}
+
 Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
 {
     Delaunay3d& delaunay = *state_.t.delaunay;

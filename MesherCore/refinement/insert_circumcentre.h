@@ -32,6 +32,9 @@ public:
     }
 
     Attempt attempt(TetId tet);
+    /// Inserts a point between the circumcentre and the centroid that encroaches upon nothing and leaves room around it, if any of a
+    /// few does: where what the circumcentre encroaches upon is not split.
+    Attempt attemptNearer(TetId tet);
     /// Whether edges may get shorter at angles that are not very small: for a few tetrahedra at the end.
     void insist(bool isInsisting) { isInsisting_ = isInsisting; }
     /// What of the model kept the last attempt from inserting anything; none if that was something inside.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "refinement/boundary_queue3d.h"
 #include "refinement/facet_swap3d.h"
 #include "refinement/insert_circumcentre.h"
 #include "refinement/refinement_state3d.h"
@@ -9,14 +10,15 @@
 namespace mesher {
 
 /// Bad tetrahedra that refinement could do nothing for, and what is tried for them at the end, when the mesh around them is good
-/// and they are few: their circumcentre, although edges beside an angle that is not very small get shorter; else the other
-/// diagonal of two facets that they lie on.
+/// and they are few: their circumcentre, although edges beside an angle that is not very small get shorter; else a point nearer
+/// to them; else the split of a facet of their own; else the other diagonal of two facets that they lie on.
 /// Terminates   each is tried once by each of these
 class StubbornTets
 {
 public:
-    StubbornTets(RefinementState3d& state, CircumcentreInsertion& insertion, FacetSwap3d& swap)
-        : state_(state), insertion_(insertion), swap_(swap)
+    StubbornTets(RefinementState3d& state, BoundaryQueue3d& boundary, CircumcentreInsertion& insertion,
+                 FacetSwap3d& swap)
+        : state_(state), boundary_(boundary), insertion_(insertion), swap_(swap)
     {
     }
 
@@ -29,7 +31,10 @@ public:
     [[nodiscard]] const std::vector<TetId>& changed() const { return changed_; }
 
 private:
+    bool pushOwnFacet(TetId tet);
+
     RefinementState3d& state_;
+    BoundaryQueue3d& boundary_;
     CircumcentreInsertion& insertion_;
     FacetSwap3d& swap_;
     std::vector<TetId> changed_;
