@@ -171,7 +171,7 @@ private:
         constexpr int kMostRounds = 8;
         bool isChanged = true;
         for (int round = 0; round < kMostRounds && isChanged; ++round) {
-            isChanged = flipAll(FacetSwap3d::kThin);
+            isChanged = flipAll(swap_.mostHeight());
             if (isChanged) drain(Phase::Quality);
         }
         state_.counts.nonDelaunayFaces = 0;

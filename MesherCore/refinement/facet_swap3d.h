@@ -10,8 +10,8 @@ namespace mesher {
 
 /// Swaps the diagonal of two facets of one face, with the tetrahedra beside it. Four corners on one circle, as structured
 /// faces have them, allow of either diagonal; rounding then decides which of them the tetrahedra want.
-/// Guarantees   surface mesh, constraints, maps and regions agree afterwards; the surface moves by less than kNearlyPlane of
-///              the diagonal
+/// Guarantees   surface mesh, constraints, maps and regions agree afterwards; the surface moves by less than `mostHeight` of the
+///              diagonal
 class FacetSwap3d
 {
 public:
@@ -22,6 +22,12 @@ public:
     static constexpr double kThin = 0.2;
 
     explicit FacetSwap3d(RefinementState3d& state) : state_(state) {}
+
+    /// Height up to which the surface may be moved: kThin, unless it is to stay as it is.
+    [[nodiscard]] double mostHeight() const
+    {
+        return state_.options.boundary == BoundaryPolicy::Split ? kThin : kNearlyPlane;
+    }
 
     /// For an unconstrained face that is not Delaunay and cannot be flipped because of a facet diagonal: swaps that. The
     /// tetrahedra that were changed are in `changed`; false if there is no such diagonal.

@@ -28,7 +28,7 @@ Attempt StubbornTets::attempt(TetId tet)
     if (result == Attempt::Impossible) result = insertion_.attemptNearer(tet);
     if (result != Attempt::Impossible) return result;
     if (pushOwnFacet(tet)) return Attempt::Rejected;
-    if (swap_.expel(tet, FacetSwap3d::kThin)) changed_ = swap_.changed();
+    if (swap_.expel(tet, swap_.mostHeight())) changed_ = swap_.changed();
     return Attempt::Impossible;
 }
 

@@ -70,5 +70,13 @@ TEST_F(FacetSwap, PutsAVertexOutsideWhereTetrahedraThereAreInTheWay)
     EXPECT_EQ(state_.counts.facetSwaps, 1u);
 }
 
+TEST_F(FacetSwap, MovesAFrozenSurfaceByRoundingOnly)
+{
+    FacetSwap3d swap(state_);
+    EXPECT_EQ(swap.mostHeight(), FacetSwap3d::kThin);
+    options_.boundary = BoundaryPolicy::Frozen;
+    EXPECT_EQ(swap.mostHeight(), FacetSwap3d::kNearlyPlane);
+}
+
 }  // namespace
 }  // namespace mesher::test
