@@ -71,11 +71,25 @@ bool FacetSwap3d::swapAt(TetFace face, double mostHeight)
     return false;
 }
 
+/// Nothing of the surface is on the other two faces of the tetrahedron of the four corners, nor on the edge between them: in
+/// walls and at sharp edges they can be facets of another face.
+bool FacetSwap3d::isFreeBehind(TetId sliver, const Diagonal& diagonal) const
+{
+    const Triangulation3d& mesh = state_.mesh;
+    const int edge =
+        kEdgeOfSlots[mesh.slotOf(sliver, diagonal.apex[0])][mesh.slotOf(sliver, diagonal.apex[1])];
+    return !mesh.isEdgeConstrained(sliver, edge) &&
+           std::none_of(diagonal.end.begin(), diagonal.end.end(), [&](VertexId end) {
+               return mesh.isFaceConstrained({sliver, mesh.slotOf(sliver, end)});
+           });
+}
+
 /// Four tetrahedra around the diagonal, or that of the four corners among them.
 bool FacetSwap3d::swapWhatIsThere(const Diagonal& diagonal)
 {
     const TetId sliver = sliverAt(diagonal);
     if (!sliver.isValid()) return flipFlat(diagonal);
+    if (!isFreeBehind(sliver, diagonal)) return false;
     giveToOtherSide(sliver, diagonal);
     return true;
 }
@@ -107,7 +121,7 @@ bool FacetSwap3d::expel(TetId tet, double mostHeight)
         if (!isBetweenFacets) continue;
         const auto diagonal =
             diagonalAt(mesh.vertex(tet, kEdgeSlots[edge][0]), mesh.vertex(tet, kEdgeSlots[edge][1]));
-        if (!diagonal || !(heightOf(*diagonal) <= mostHeight)) continue;
+        if (!diagonal || !(heightOf(*diagonal) <= mostHeight) || !isFreeBehind(tet, *diagonal)) continue;
         giveToOtherSide(tet, *diagonal);
         return true;
     }

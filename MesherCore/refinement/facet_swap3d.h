@@ -49,6 +49,7 @@ private:
     [[nodiscard]] std::optional<Diagonal> diagonalAt(VertexId a, VertexId b);
     [[nodiscard]] double heightOf(const Diagonal& diagonal) const;
     [[nodiscard]] TetId sliverAt(const Diagonal& diagonal) const;
+    [[nodiscard]] bool isFreeBehind(TetId sliver, const Diagonal& diagonal) const;
     bool swapWhatIsThere(const Diagonal& diagonal);
     bool clearOutside(const Diagonal& diagonal);
     bool flipFlat(const Diagonal& diagonal);
