@@ -53,6 +53,7 @@ void tellCounts(const RefinedVolume& refined, MeshReport& report)
     add(report, "segment_splits", counts.segmentSplits);
     add(report, "facet_splits", counts.facetSplits);
     add(report, "cavity_repairs", counts.cavityRepairs);
+    add(report, "short_insertions", counts.shortInsertions);
     add(report, "aborted_insertions", counts.abortedInsertions);
     add(report, "refused_segments", counts.refusedSegments);
     add(report, "refused_facets", counts.refusedFacets);
@@ -62,6 +63,7 @@ void tellCounts(const RefinedVolume& refined, MeshReport& report)
     add(report, "delaunay_flips", counts.delaunayFlips);
     add(report, "delaunay_cavities", counts.delaunayCavities);
     add(report, "facet_swaps", counts.facetSwaps);
+    add(report, "bent_facet_swaps", counts.bentSwaps);
     add(report, "stubborn_tets", counts.stubbornTets);
     add(report, "outside_vertices", counts.outsideVertices);
     add(report, "non_delaunay_faces_left", counts.nonDelaunayFaces);

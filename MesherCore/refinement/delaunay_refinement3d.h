@@ -44,7 +44,8 @@ struct RefinementCounts3d
     std::uint64_t cavityRepairs = 0;      ///< tetrahedra taken out of cavities to make them star-shaped
     std::uint64_t delaunayFlips = 0;      ///< after splits and repairs, and at the end
     std::uint64_t delaunayCavities = 0;   ///< filled anew at the end where flips were stuck
-    std::uint64_t facetSwaps = 0;         ///< of the diagonal of four corners on one circle
+    std::uint64_t facetSwaps = 0;         ///< of the diagonal of two facets
+    std::uint64_t bentSwaps = 0;          ///< of these, of facets off one plane, which move the surface
     std::uint64_t stubbornTets = 0;       ///< that were made to give way at the end, see StubbornTets
     std::uint64_t outsideVertices = 0;    ///< added outside of the solids so that facets could be swapped
     std::uint64_t nonDelaunayFaces = 0;   ///< left: unconstrained, inside of the solids

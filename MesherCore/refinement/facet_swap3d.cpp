@@ -140,6 +140,7 @@ bool FacetSwap3d::flipFlat(const Diagonal& diagonal)
 void FacetSwap3d::giveToOtherSide(TetId sliver, const Diagonal& diagonal)
 {
     Triangulation3d& mesh = state_.mesh;
+    if (heightOf(diagonal) > kNearlyPlane) ++state_.counts.bentSwaps;
     for (const VertexId end : diagonal.end) mesh.setFaceConstrained({sliver, mesh.slotOf(sliver, end)}, true);
     for (const VertexId apex : diagonal.apex) {
         const TetFace face(sliver, mesh.slotOf(sliver, apex));

@@ -18,7 +18,7 @@ public:
     /// Height of the fourth corner above the other three, as a share of the diagonal, up to which the two facets are one
     /// plane with the other diagonal: far below any tolerance, far above rounding.
     static constexpr double kNearlyPlane = 1e-9;
-    /// The same for facets that follow a curved surface as well with either diagonal.
+    /// The same for facets of a curved surface, where neither diagonal is its own.
     static constexpr double kThin = 0.2;
 
     explicit FacetSwap3d(RefinementState3d& state) : state_(state) {}
@@ -31,7 +31,7 @@ public:
 
     /// For an unconstrained face that is not Delaunay and cannot be flipped because of a facet diagonal: swaps that. The
     /// tetrahedra that were changed are in `changed`; false if there is no such diagonal.
-    bool swapAt(TetFace face, double mostHeight = kNearlyPlane);
+    bool swapAt(TetFace face, double mostHeight);
     /// A tetrahedron of a solid between two facets and their other diagonal goes to the outside, if it is no higher than that share
     /// of the diagonal. False if it is none.
     bool expel(TetId tet, double mostHeight = kNearlyPlane);

@@ -32,6 +32,7 @@ Attempt CircumcentreInsertion::attempt(TetId tet)
     return attemptAt(tet, onGrid(*ofFace));
 }
 
+/// Beside a fan as well, unlike the other insertions: what is left there is bad already.
 Attempt CircumcentreInsertion::attemptNearer(TetId tet)
 {
     const std::optional<Vec3> centre = state_.criteria.circumcentre(tet);

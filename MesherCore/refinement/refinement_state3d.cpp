@@ -11,14 +11,6 @@ const FacetId* RefinementState3d::facetAt(TetFace face) const
     return t.facetOf.find(corners);
 }
 
-bool RefinementState3d::isBesideSmallAngle(std::span<const VertexId> entity) const
-{
-    return guard.hasAny() && std::any_of(entity.begin(), entity.end(), [&](VertexId v) {
-               const NodeId node = t.nodeOf[v];
-               return node.isValid() && guard.isSmallAt(splitter.mesh().nodes[node].entity);
-           });
-}
-
 void RefinementState3d::addOutside(VertexId v)
 {
     if (t.nodeOf.size() <= v.value) t.nodeOf.resize(v.value + v.value / 4u + 16u);
@@ -30,6 +22,7 @@ void RefinementState3d::addOutside(VertexId v)
 double RefinementState3d::smallAngleBeside(std::span<const VertexId> entity) const
 {
     double least = 180.0;
+    if (!guard.hasAny()) return least;
     for (const VertexId v : entity) {
         const NodeId node = t.nodeOf[v];
         if (node.isValid()) least = std::min(least, guard.degreesAt(splitter.mesh().nodes[node].entity));

@@ -65,7 +65,10 @@ struct RefinementState3d
         return t.segmentOf.find(unorderedPair(a, b));
     }
     /// Whether the entity has a vertex on a small angle: there the two sides of the angle always encroach upon each other.
-    [[nodiscard]] bool isBesideSmallAngle(std::span<const VertexId> entity) const;
+    [[nodiscard]] bool isBesideSmallAngle(std::span<const VertexId> entity) const
+    {
+        return smallAngleBeside(entity) < SmallAngleGuard::kSmallDihedral;
+    }
 
     /// Of a vertex that was made outside of the solids: it has no size, and no part in any wall.
     void addOutside(VertexId v);

@@ -46,12 +46,6 @@ public:
                                                                : nullptr;
         return angle != nullptr ? angle->degrees : 180.0;
     }
-    /// Whether the model edge or vertex has a small angle.
-    [[nodiscard]] bool isSmallAt(EntityRef entity) const
-    {
-        return (entity.dimension == 0 && vertices_.contains(entity.index)) ||
-               (entity.dimension == 1 && edges_.contains(entity.index));
-    }
 
 private:
     void measureSegments(const ConstrainedTetrahedralization& tetrahedralization, const SurfaceMesh& surface);

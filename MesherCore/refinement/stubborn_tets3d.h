@@ -12,7 +12,7 @@ namespace mesher {
 /// Bad tetrahedra that refinement could do nothing for, and what is tried for them at the end, when the mesh around them is good
 /// and they are few: their circumcentre, although edges beside an angle that is not very small get shorter; else a point nearer
 /// to them; else the split of a facet of their own; else the other diagonal of two facets that they lie on.
-/// Terminates   each is tried once by each of these
+/// Terminates   with the tries of the caller: each makes one change at the most
 class StubbornTets
 {
 public:

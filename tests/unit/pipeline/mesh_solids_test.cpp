@@ -127,6 +127,7 @@ TEST(MeshSolids, LeavesNoSliversInConesWithoutImprovement)
     {
         double halfAngle, size, curvature;
     };
+    std::uint64_t bentSwaps = 0;
     for (const Case& c :
          {Case{44.0, 1.4, 12.0}, Case{32.0, 0.3, 12.0}, Case{22.0, 0.5, 8.0}, Case{26.0, 1.4, 12.0},
           Case{58.0, 0.7, 12.0}, Case{28.0, 1.4, 12.0}, Case{36.0, 0.5, 8.0}, Case{30.0, 1.4, 8.0},
@@ -145,7 +146,9 @@ TEST(MeshSolids, LeavesNoSliversInConesWithoutImprovement)
         EXPECT_GT(outcome.report.tetQuality->dihedral.least(), 18.0);
         EXPECT_LT(outcome.report.tetQuality->dihedral.largest(), 155.1);
         EXPECT_EQ(countOf(outcome.report, "non_delaunay_faces_left"), 0u);
+        bentSwaps += countOf(outcome.report, "bent_facet_swaps");
     }
+    EXPECT_GT(bentSwaps, 0u);
 }
 
 TEST(MeshSolids, SaysWhatKeepsFacesFromBeingDelaunay)
