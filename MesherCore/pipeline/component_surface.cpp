@@ -13,8 +13,6 @@ namespace mesher {
 
 namespace {
 
-/// Facets depart from their face by at most this many times what their middle does.
-constexpr double kCutOff = 3.0;
 /// The cosine between a face's normal and the way to a place that is above the face.
 constexpr double kAbove = 0.9;
 
@@ -82,7 +80,7 @@ ComponentSurface::ComponentSurface(const BrepModel& model, const SurfaceMesh& me
     for (const MeshNode& node : mesh.nodes) box_.include(node.position);
     const IdVector<FacetId, FacetDeparture> departures = facetDepartures(model, mesh);
     for (const FacetId facet : facets_) {
-        sag_[facet] = kCutOff * departures[facet].distance;
+        sag_[facet] = departures[facet].distance;
         isFlush_[facet] = departures[facet].isFlush ? 1 : 0;
         largestSag_ = std::max(largestSag_, sag_[facet]);
     }

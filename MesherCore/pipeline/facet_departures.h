@@ -13,9 +13,11 @@ struct FacetDeparture
         true;  ///< it keeps to the face in parameters: its edges on the face's boundary are lines of parameters there
 };
 
-/// About how far the face goes from each facet: what the middle of the facet departs from its face, and the middle of its
-/// segments from their curves, beyond which faces go on. 0 for facets that are not alive.
-/// Cost         a projection for each facet, two evaluations for each segment
+/// A bound of how far points of each facet are from its face, and of its segments from their curves, beyond which faces go on:
+/// from the centre and the edges, since where a face is a saddle it passes the centre of facets that it leaves at their edges.
+/// 0 for facets that are not alive.
+/// Requires     facets within which the face bends no more than a spline between a few knots
+/// Cost         about one projection for each facet, ten evaluations for each facet
 [[nodiscard]] IdVector<FacetId, FacetDeparture> facetDepartures(const BrepModel& model,
                                                                 const SurfaceMesh& mesh);
 
