@@ -15,9 +15,12 @@ namespace {
 /// Tetrahedra that a cavity of replaced facets may grow by before it is given up.
 constexpr std::size_t kMostGrowth = 16;
 
-/// Conflicts that a cavity of replaced facets takes in. Of flat tetrahedra along a coarse or very thin surface thousands
-/// are in conflict with one point, nearly all of which the repair would take out again, a few at a time.
-constexpr std::size_t kMostConflicts = 128;
+/// Conflicts that a cavity of replaced facets takes in at first. Of flat tetrahedra along a coarse or very thin surface thousands
+/// are in conflict with one point, nearly all of which the repair would take out again, a few at a time. But where a coarse
+/// facet sees a fine feature hundreds have to go at once, those around its edge for one: a cavity that so few do not make
+/// star-shaped takes in more by the factor.
+constexpr std::size_t kFirstConflicts = 128;
+constexpr std::size_t kConflictGrowth = 16;
 
 constexpr std::size_t kAllConflicts = std::numeric_limits<std::size_t>::max();
 
@@ -182,10 +185,15 @@ const Cavity3d& CavityOperator3d::findForFacets(const Vec3& point, const CavityS
         return cavity_;
     }
     const std::size_t most = grownSeeds_.size() + kMostGrowth;
+    std::size_t mostConflicts = kFirstConflicts;
     for (;;) {
         begin(point, grownSeeds_, split);
-        collectConflicts<true>(point, kMostConflicts, filter);
+        collectConflicts<true>(point, mostConflicts, filter);
         repair(grownSeeds_, filter);
+        if (cavity_.status != CavityStatus::Ready && cavity_.isCut) {
+            mostConflicts *= kConflictGrowth;
+            continue;
+        }
         // A tetrahedron at a replaced facet need not be in conflict with a point off the plane: the cavity grows where
         // such a one does not see the point.
         const TetId behind = tetBehindBlocker();

@@ -99,8 +99,8 @@ public:
                          const StaticFilter3d& filter);
 
     /// The cavity of a point that replaces facets. A facet stays as an ordinary face where the tetrahedron behind it, seen
-    /// from the point, is not in conflict. Where very many are, those next to the facets make the cavity, and the new
-    /// tetrahedra need flips to be Delaunay.
+    /// from the point, is not in conflict. Where very many are, those next to the facets make the cavity if they can,
+    /// and the new tetrahedra need flips to be Delaunay.
     const Cavity3d& findForFacets(const Vec3& point, const CavitySplit3d& split,
                                   const StaticFilter3d& filter);
 
