@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace mesher {
@@ -39,6 +40,28 @@ std::vector<Vec3> sampleFace(const BrepFace& face)
         }
     }
     return points;
+}
+
+/// What the face and its edges may be off its plane.
+double allowanceOf(const BrepModel& model, const BrepFace& face)
+{
+    double allowed = std::max(face.tolerance, 1e-7);
+    for (const BrepLoop& loop : face.loops) {
+        for (const BrepCoedge& coedge : loop.coedges)
+            allowed = std::max(allowed, model.edges[coedge.edge].tolerance);
+    }
+    return allowed;
+}
+
+/// Where the face's own plane passes the places of its boundary, the other plane has to be as near.
+bool isInPlane(const BrepModel& model, BrepFaceId id, const PlaneFrame& own, const PlaneFrame& other)
+{
+    const double allowed = allowanceOf(model, model.faces[id]);
+    const std::vector<Vec3> boundary = sampleBoundary(model, model.faces[id]);
+    return std::all_of(boundary.begin(), boundary.end(), [&](const Vec3& place) {
+        const Vec3 foot = place - own.distanceTo(place) * own.normal;
+        return std::abs(other.distanceTo(foot)) <= allowed;
+    });
 }
 
 }  // namespace
@@ -97,6 +120,18 @@ Result<PlaneFrame> planeOfFace(const BrepModel& model, BrepFaceId id)
                      "choose plane faces or mesh in three dimensions"};
     }
     return frame;
+}
+
+bool lieInOnePlane(const BrepModel& model, std::span<const BrepFaceId> faces)
+{
+    std::optional<PlaneFrame> first;
+    for (const BrepFaceId id : faces) {
+        const Result<PlaneFrame> own = planeOfFace(model, id);
+        if (!own) return false;
+        if (!first) first = own.value();
+        if (!isInPlane(model, id, own.value(), *first)) return false;
+    }
+    return true;
 }
 
 }  // namespace mesher

@@ -21,7 +21,7 @@ po::options_description meshingOptions()
 {
     po::options_description options("Options of mesh and estimate", 100);
     auto add = options.add_options();
-    add("dimension", po::value<std::string>(), "2: plane faces, 3: solids (default 3)");
+    add("dimension", po::value<std::string>(), "2: faces, 3: solids (default 3)");
     add("faces", po::value<std::string>(), "with --dimension 2: only these, e.g. Face1,Face6 (default all)");
     add("size", po::value<std::string>(), "largest edge length, model units");
     add("min-size", po::value<std::string>(), "no smaller size is asked for");

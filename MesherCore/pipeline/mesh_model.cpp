@@ -1,5 +1,6 @@
 #include "pipeline/mesh_model.h"
 
+#include "brep/planarity.h"
 #include "pipeline/mesh_planar.h"
 #include "pipeline/mesh_solids.h"
 #include "pipeline/model_extent.h"
@@ -22,22 +23,6 @@ MeshOutcome refuse(Error error)
     if (error.entity.empty()) error.entity = "model";
     outcome.report.failures.push_back(std::move(error));
     return outcome;
-}
-
-/// Whether the faces to mesh lie in parallel planes, so that the mesher of plane domains tells what is wrong if they cannot be
-/// meshed together.
-bool isPlane(const BrepModel& model, const MeshOptions& options)
-{
-    constexpr double kLargestTurn = 1e-6;  // radians; the exact test is that of planarCurveComplex
-    if (!options.faces.empty()) return true;
-    std::optional<PlaneFrame> first;
-    for (const BrepFace& face : model.faces) {
-        const std::optional<PlaneFrame> frame = face.surface->planeFrame();
-        if (!frame) return false;
-        if (!first) first = frame;
-        if (length(cross(frame->normal, first->normal)) > kLargestTurn) return false;
-    }
-    return true;
 }
 
 MeshOutcome meshPlaneFaces(const BrepModel& model, const MeshOptions& options,
@@ -67,9 +52,11 @@ MeshOutcome meshByDimension(const BrepModel& model, const MeshOptions& options,
     if (const Result<void> possible = validate(options); !possible) return refuse(possible.error());
     if (const Result<void> sound = checkExtent(model); !sound) return refuse(sound.error());
     if (options.dimension == 3) return meshSolids(model, options, std::move(fromFiles), context);
-    if (isPlane(model, options))
+    const Result<std::vector<BrepFaceId>> faces = facesToMesh(model, options);
+    if (!faces) return refuse(faces.error());
+    if (lieInOnePlane(model, faces.value()))
         return meshPlaneFaces(model, options, std::move(fromFiles), boundaryOrder, context);
-    return meshFaces(model, options, std::move(fromFiles), context);
+    return meshFaces(model, faces.value(), options, std::move(fromFiles), context);
 }
 
 }  // namespace

@@ -163,15 +163,26 @@ Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOption
     return estimateSolidsBySample(model, options, *sizes, context);
 }
 
-MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,
-                      std::shared_ptr<const SizingField> fromFiles, RunContext& context)
+MeshOutcome meshFaces(const BrepModel& model, const std::vector<BrepFaceId>& faces,
+                      const MeshOptions& options, std::shared_ptr<const SizingField> fromFiles,
+                      RunContext& context)
 {
+    const auto start = SolidRun::Clock::now();
     const auto sizes = prepareSizes(model, options, std::move(fromFiles), context);
     if (!sizes) return refused(options, sizes.error());
-    MeshOutcome outcome =
-        SolidRun(model, options, sizes.value(), context, SolidRun::Clock::now()).meshFaces();
-    finish(options, outcome);
-    return outcome;
+    MeshOutcome whole;
+    if (faces.size() == model.faces.size()) {
+        whole = SolidRun(model, options, sizes.value(), context, start).meshFaces();
+    } else {
+        const ModelComponent component = facesAlone(model, faces);
+        const MeshOutcome part =
+            SolidRun(component.model, options, sizes.value(), context, start).meshFaces();
+        whole.report.options = options;
+        addReport(component, part.report, whole.report);
+        if (part.mesh) appendComponent(component, *part.mesh, whole.mesh.emplace());
+    }
+    finish(options, whole);
+    return whole;
 }
 
 }  // namespace mesher

@@ -8,6 +8,7 @@
 #include "sizing/sizing_field.h"
 
 #include <memory>
+#include <vector>
 
 namespace mesher {
 
@@ -25,8 +26,9 @@ namespace mesher {
 [[nodiscard]] Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOptions& options,
                                                       std::shared_ptr<const SizingField> fromFiles);
 
-/// Meshes all faces of a model as surfaces in space.
-[[nodiscard]] MeshOutcome meshFaces(const BrepModel& model, const MeshOptions& options,
-                                    std::shared_ptr<const SizingField> fromFiles, RunContext& context);
+/// Meshes faces of a model as surfaces in space, those that share edges as one surface.
+[[nodiscard]] MeshOutcome meshFaces(const BrepModel& model, const std::vector<BrepFaceId>& faces,
+                                    const MeshOptions& options, std::shared_ptr<const SizingField> fromFiles,
+                                    RunContext& context);
 
 }  // namespace mesher

@@ -244,9 +244,9 @@ ModelComponent solidAlone(const BrepModel& model, BrepSolidId solid)
     return weld(extract(model, membersOf(model, std::vector{solid})));
 }
 
-ModelComponent faceAlone(const BrepModel& model, BrepFaceId face)
+ModelComponent facesAlone(const BrepModel& model, std::vector<BrepFaceId> faces)
 {
-    return extract(model, membersOf(model, std::vector{face}));
+    return extract(model, membersOf(model, std::move(faces)));
 }
 
 void appendComponent(const ModelComponent& component, const ClassifiedMesh& part, ClassifiedMesh& whole)

@@ -29,9 +29,9 @@ struct ModelComponent
 /// have to keep, whether they touch or not. Within a group, vertices and edges at one place are made one. In the order of their first solids. Faces of no solid are in no component.
 [[nodiscard]] std::vector<ModelComponent> solidComponents(const BrepModel& model);
 
-/// One solid, or one face with its edges, whatever else shares them.
+/// One solid, or faces with their edges, whatever else shares them.
 [[nodiscard]] ModelComponent solidAlone(const BrepModel& model, BrepSolidId solid);
-[[nodiscard]] ModelComponent faceAlone(const BrepModel& model, BrepFaceId face);
+[[nodiscard]] ModelComponent facesAlone(const BrepModel& model, std::vector<BrepFaceId> faces);
 
 /// Appends the mesh of a component to that of the whole.
 void appendComponent(const ModelComponent& component, const ClassifiedMesh& part, ClassifiedMesh& whole);

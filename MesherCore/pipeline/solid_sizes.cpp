@@ -93,7 +93,7 @@ private:
 
     Result<void> addFace(BrepFaceId face, const EntitySize& wish)
     {
-        const auto facets = facetsOf(faceAlone(model_, face), wish);
+        const auto facets = facetsOf(facesAlone(model_, {face}), wish);
         if (!facets) return facets.error();
         addFacets(*facets, wish);
         return {};

@@ -5,6 +5,7 @@
 """
 import json
 import math
+import re
 
 from program_case import DATA, Case, read_msh, run_tests
 
@@ -83,6 +84,23 @@ class TestSizes(Case):
                             "-o", "a.msh")
         self.expect_refusal(1, "Face1: the face is named twice", "mesh", DATA / "box.brep", "--dimension", 2,
                             "--faces", "Face1,Face1", "-o", "a.msh")
+
+    def test_named_faces_that_have_no_plane_in_common(self):
+        """They are meshed in space, under the names of the model, and share the nodes of their edges."""
+        box = ["mesh", DATA / "box.brep", "--dimension", 2, "--size", 0.5, "-o", "m.msh", "--faces"]
+        for faces in (["Face1", "Face3"], ["Face2", "Face1"], ["Face6", "Face4", "Face1"]):
+            with self.subTest(faces=faces):
+                self.expect(0, *box, ",".join(faces), "--local-size", f"{faces[0]}=0.2", "--check")
+                self.expect(0, "check", "m.msh", "--model", DATA / "box.brep")
+                listed = re.findall(r"area of (Face\d+)", self.expect(0, "check", "m.msh").stdout)
+                self.assertEqual(sorted(listed), sorted(faces))
+                nodes, triangles = read_msh(self.folder / "m.msh")
+                used = {n for corners in triangles for n in corners}
+                self.assertEqual(len({tuple(round(c, 9) for c in nodes[n]) for n in used}), len(used))
+        self.expect_refusal(1, "Face9: the model has no such face", *box, "Face1,Face9")
+        self.expect_refusal(1, "Face2: the face is named twice", *box, "Face1,Face2,Face2")
+        self.expect(0, "mesh", DATA / "cylinder_wall.brep", "--dimension", 2, "--faces", "Face1", "--size", 0.5, "-o", "w.msh", "--check")
+        self.expect(0, "check", "w.msh", "--model", DATA / "cylinder_wall.brep")
 
     def test_size_of_a_background_mesh(self):
         corners = [(0, 0), (4, 0), (4, 2), (0, 2)]

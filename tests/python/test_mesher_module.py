@@ -117,6 +117,12 @@ class Sizes(unittest.TestCase):
         with self.assertRaises(mesher.MesherError):
             mesh_plate(size=2.0, faces=["Face9"])
 
+    def test_faces_of_different_planes_are_meshed_in_space(self):
+        box = os.path.join(DATA_DIRECTORY, "box.brep")
+        sides = mesher.mesh(box, dimension=2, size=0.4, faces=["Face5", "Face1"])
+        self.assertEqual(numpy.unique(sides.triangle_face).tolist(), numpy.unique([0, 4]).tolist())
+        self.assertEqual(sides.check(), [])
+
     def test_a_background_mesh_gives_its_sizes(self):
         distance = numpy.linalg.norm(self.coarse.nodes - self.middle, axis=1)
         sizes = 0.1 + 0.5 * distance

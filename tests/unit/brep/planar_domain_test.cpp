@@ -2,6 +2,7 @@
 
 #include "brep/analytic/solids.h"
 #include "brep/occt/read_model.h"
+#include "brep/planarity.h"
 #include "occt_models.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -157,6 +158,20 @@ TEST(PlanarDomain, CurvedFacesAreRefusedWithTheirDistance)
         expectError(planarCurveComplex(box, FaceIds{kFirst, BrepFaceId(f)}), "Face" + std::to_string(f + 1),
                     "another plane than Face1");
     }
+}
+
+TEST(Planarity, TellsFacesOfOnePlaneFromOthers)
+{
+    const BrepModel cylinder = makeCylinder({}, 2.0, 3.0).value();
+    const BrepFaceId wall(0u), bottom(1u), top(2u);
+    EXPECT_FALSE(lieInOnePlane(cylinder, FaceIds{wall}));
+    EXPECT_TRUE(lieInOnePlane(cylinder, FaceIds{top}));
+    EXPECT_FALSE(lieInOnePlane(cylinder, FaceIds{bottom, top})) << "parallel, one above the other";
+    EXPECT_FALSE(lieInOnePlane(cylinder, FaceIds{bottom, wall}));
+    BrepModel beside = cylinder;
+    beside.faces.push_back(makeBox({5.0, 0.0, 0.0}, {6.0, 2.0, 3.0}).value().faces[BrepFaceId(4u)]);
+    for (BrepLoop& loop : beside.faces[BrepFaceId(3u)].loops) loop.coedges.clear();
+    EXPECT_TRUE(lieInOnePlane(beside, FaceIds{bottom, BrepFaceId(3u)}));
 }
 
 TEST(PlanarDomain, OpenNullAndFlatWiresAreRefused)

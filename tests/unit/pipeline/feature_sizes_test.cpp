@@ -1,6 +1,7 @@
 #include "pipeline/feature_sizes.h"
 
 #include "brep/analytic/solids.h"
+#include "pipeline/mesh_model.h"
 #include "pipeline/mesh_solids.h"
 #include "support/model_union.h"
 
@@ -102,7 +103,7 @@ TEST(FeatureSizes, OfFacesInSpaceAreThoseOnTheFaces)
     for (const double refinement : {1.0, 3.0}) {
         options.refinement = refinement;
         RunContext context;
-        const MeshOutcome outcome = meshFaces(model, options, nullptr, context);
+        const MeshOutcome outcome = meshModel(model, options, nullptr, 2, context);
         ASSERT_TRUE(outcome.mesh);
         EXPECT_GT(outcome.mesh->triangles.size(), 3 * before);
         before = outcome.mesh->triangles.size();
