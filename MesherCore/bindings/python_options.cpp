@@ -149,6 +149,7 @@ const std::map<std::string, Setter>& setters()
         {"max_turn", setterOf(&MeshOptions::maxTurn)},
         {"measure", setMeasure},
         {"threshold", setterOf(&MeshOptions::threshold)},
+        {"max_dihedral", setterOf(&MeshOptions::maxDihedral)},
         {"improve", setterOf(&MeshOptions::isImproved)},
         {"order", setterOf(&MeshOptions::order)},
         {"threads", setterOf(&MeshOptions::threads)},

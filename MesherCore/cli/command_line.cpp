@@ -50,6 +50,9 @@ po::options_description meshingOptions()
     add("max-turn", po::value<std::string>(), "of a curve along an edge, degrees, 30 to 90 (default 90)");
     add("measure", po::value<std::string>(), "of tetrahedra, q1 to q8 (default q2)");
     add("threshold", po::value<std::string>(), "score below which a tetrahedron is refined");
+    add("max-dihedral", po::value<std::string>(),
+        "angle above which a tetrahedron is refined whatever it scores, degrees, 120 to 180 (default 155; "
+        "off for q1, q5, q7)");
     add("no-improve", po::bool_switch(), "leave out the improvement at the end");
     add("order", po::value<std::string>(), "of elements, 1 or 2 (default 1)");
     add("threads", po::value<std::string>(), "the mesh does not depend on it (default 1)");
@@ -108,6 +111,7 @@ void readMeshOptions(OptionReader& reader, MeshOptions& options)
         reader.fail(usageError("--measure wants one of q1 to q8, not '" + measure + "'"));
     }
     reader.read("threshold", options.threshold);
+    reader.read("max-dihedral", options.maxDihedral);
     options.isImproved = !reader.isSet("no-improve");
     reader.read("order", options.order);
     reader.read("threads", options.threads);

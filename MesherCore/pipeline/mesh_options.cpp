@@ -54,6 +54,9 @@ Result<void> validate(const MeshOptions& options)
         if (auto r = checkRange("threshold", *options.threshold, std::numeric_limits<double>::min(), 1.0); !r)
             return r;
     }
+    if (options.maxDihedral) {
+        if (auto r = checkRange("max-dihedral", *options.maxDihedral, 120.0, 180.0); !r) return r;
+    }
     return validateRun(options);
 }
 

@@ -41,7 +41,9 @@ struct MeshOptions
     double maxTurn = 90.0;   ///< of the tangent along an edge of a curve, degrees, 30 … 90. DEFAULT: 90
     TetMeasure measure = TetMeasure::MinimumDihedralSine;  ///< of tetrahedra. DEFAULT: q2
     std::optional<double>
-        threshold;           ///< score below which a tetrahedron is refined; (0, 1]. DEFAULT: of the measure
+        threshold;  ///< score below which a tetrahedron is refined; (0, 1]. DEFAULT: of the measure
+    /// Dihedral angle above which a tetrahedron is refined whatever it scores, degrees, 120 … 180 (off). DEFAULT: of the measure
+    std::optional<double> maxDihedral;
     bool isImproved = true;  ///< DEFAULT: true
     int order = 1;           ///< of elements, 1 or 2. DEFAULT: 1
     ///@}

@@ -135,6 +135,7 @@ Json toJson(const MeshOptions& options)
                  {"max_turn", options.maxTurn},
                  {"measure", infoOf(options.measure).key},
                  {"threshold", options.threshold.value_or(infoOf(options.measure).threshold)},
+                 {"max_dihedral", options.maxDihedral.value_or(infoOf(options.measure).largestDihedral)},
                  {"improve", options.isImproved},
                  {"order", options.order},
                  {"threads", options.threads},

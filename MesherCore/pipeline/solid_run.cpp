@@ -170,6 +170,7 @@ bool SolidRun::refine()
     refinement.sizing.field = sizes_.get();
     refinement.quality.measure = options_.measure;
     refinement.quality.threshold = options_.threshold;
+    refinement.quality.largestDihedral = options_.maxDihedral;
     refinement.leastGap = kLeastGapShare * length(model_.box.extent());
     refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
     refinement.limits.maxElements = options_.maxElements;

@@ -53,17 +53,21 @@ struct TetMeasureInfo
     std::string_view meaning;  ///< a clause for people
     double regularScore;       ///< of the regular tetrahedron, the best there is
     double threshold;          ///< [gosselin] table 4.2: a tetrahedron that scores less is refined
+    /// Degrees, beyond which it is refined whatever it scores; 180 is off. The thesis has no such bound: its q2 alone allows 161.
+    /// q1 and q7 do not see slivers and q5 sees large angles late: held to it they would take up to twice as many vertices and more.
+    double largestDihedral;
 };
 
 inline constexpr std::array<TetMeasureInfo, 8> kTetMeasures = {{
-    {TetMeasure::ShortestEdgeToCircumradius, "q1", "shortest edge to circumradius", 1.0, 0.52},
-    {TetMeasure::MinimumDihedralSine, "q2", "smallest sine of a dihedral angle", 0.94280904158206337, 0.32},
-    {TetMeasure::VolumeLength, "q3", "volume to edge lengths", 1.0, 0.32},
-    {TetMeasure::RadiusRatio, "q4", "inradius to circumradius", 1.0, 0.36},
-    {TetMeasure::MinimumSolidAngle, "q5", "smallest solid angle", 1.0, 0.21},
-    {TetMeasure::MeanRatio, "q6", "mean ratio", 1.0, 0.47},
-    {TetMeasure::InradiusToLargestAltitude, "q7", "inradius to largest altitude", 1.0, 0.59},
-    {TetMeasure::AltitudeToLongestEdge, "q8", "smallest altitude to longest edge", 1.0, 0.24},
+    {TetMeasure::ShortestEdgeToCircumradius, "q1", "shortest edge to circumradius", 1.0, 0.52, 180.0},
+    {TetMeasure::MinimumDihedralSine, "q2", "smallest sine of a dihedral angle", 0.94280904158206337, 0.32,
+     155.0},
+    {TetMeasure::VolumeLength, "q3", "volume to edge lengths", 1.0, 0.32, 155.0},
+    {TetMeasure::RadiusRatio, "q4", "inradius to circumradius", 1.0, 0.36, 155.0},
+    {TetMeasure::MinimumSolidAngle, "q5", "smallest solid angle", 1.0, 0.21, 180.0},
+    {TetMeasure::MeanRatio, "q6", "mean ratio", 1.0, 0.47, 155.0},
+    {TetMeasure::InradiusToLargestAltitude, "q7", "inradius to largest altitude", 1.0, 0.59, 180.0},
+    {TetMeasure::AltitudeToLongestEdge, "q8", "smallest altitude to longest edge", 1.0, 0.24, 155.0},
 }};
 
 [[nodiscard]] constexpr const TetMeasureInfo& infoOf(TetMeasure measure)

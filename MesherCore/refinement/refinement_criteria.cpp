@@ -44,7 +44,8 @@ RefinementCriteria3d::RefinementCriteria3d(const Triangulation3d& mesh, const Le
       limits_(limits),
       threshold_(limits.threshold.value_or(infoOf(limits.measure).threshold)),
       squaredCosineOfSmall_(1.0 - threshold_ * threshold_),
-      squaredCosineOfLarge_(squaredCosine(limits.largestDihedral))
+      squaredCosineOfLarge_(
+          squaredCosine(limits.largestDihedral.value_or(infoOf(limits.measure).largestDihedral)))
 {
     // A sine tells small and large angles alike.
     if (limits.measure == TetMeasure::MinimumDihedralSine)

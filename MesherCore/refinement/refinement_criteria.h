@@ -15,8 +15,9 @@ struct TetQualityLimits
     bool isActive = true;
     TetMeasure measure = TetMeasure::MinimumDihedralSine;
     std::optional<double>
-        threshold;                   ///< score below which a tetrahedron is bad. DEFAULT: that of the measure
-    double largestDihedral = 155.0;  ///< degrees, beyond which it is bad whatever it scores; 180 is off
+        threshold;  ///< score below which a tetrahedron is bad. DEFAULT: that of the measure
+    /// Degrees, beyond which it is bad whatever it scores; 180 is off. DEFAULT: that of the measure
+    std::optional<double> largestDihedral;
 };
 
 enum class TetNeed : std::uint8_t

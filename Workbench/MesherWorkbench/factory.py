@@ -21,6 +21,7 @@ _PROPERTY_OF_OPTION = {
     "size_formula": "SizeFormula",
     "measure": "QualityMeasure",
     "threshold": "QualityThreshold",
+    "max_dihedral": "MaxDihedral",
     "min_angle": "MinAngle",
     "max_turn": "MaxTurn",
     "allow_overlap": "AllowOverlap",

@@ -19,8 +19,8 @@ __all__ = ["Cancelled", "Mesh", "MesherError", "MeshingError", "Model", "ModelEr
 
 def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=None, min_size=None, curvature=0.0, sag=0.0,
          refinement=None, grading=1.0, local_sizes=None, size_distance=None, size_box=None, size_ball=None, size_formula=None,
-         size_points=None, background=None, min_angle=30.0, max_turn=90.0, measure="q2", threshold=None, improve=True, order=1,
-         threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, allow_overlap=False, timeout=None,
+         size_points=None, background=None, min_angle=30.0, max_turn=90.0, measure="q2", threshold=None,
+         max_dihedral=None, improve=True, order=1, threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, allow_overlap=False, timeout=None,
          check=False):
     """Meshes a model: the path of a file (STEP, IGES, BREP), a Part.Shape, a document object that has a shape, or a Model.
 
@@ -42,8 +42,9 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     size_formula    of x, y, z: "0.1 + 0.05*x"
     size_points     array with rows x, y, z, size, or the path of such a text file
     background      (nodes, elements, sizes): arrays of a mesh with a size at each node, or the path of a .msh or .vtu file
-    min_angle, max_turn, measure, threshold     quality: least angle of triangles; turn of the tangent along an edge;
-                    the measure of tetrahedra, "q1" to "q8", and the score below which they are refined
+    min_angle, max_turn, measure, threshold, max_dihedral   quality: least angle of triangles; turn of the tangent along an edge;
+                    the measure of tetrahedra, "q1" to "q8", and the score below which they are refined; the dihedral angle
+                    above which they are, whatever they score
     improve         improve the elements after the refinement
     order           1; elements of second order are not there yet
     threads         the mesh does not depend on them

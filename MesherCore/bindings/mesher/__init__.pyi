@@ -124,6 +124,7 @@ def mesh(
     max_turn: float = 90.0,
     measure: str = "q2",
     threshold: Optional[float] = None,
+    max_dihedral: Optional[float] = None,
     improve: bool = True,
     order: Literal[1, 2] = 1,
     threads: int = 1,

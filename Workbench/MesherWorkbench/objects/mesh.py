@@ -28,6 +28,7 @@ _PROPERTIES = (
     ("App::PropertyFile", "BackgroundMesh", "Sizes", "Mesh with a size at each node", ""),
     ("App::PropertyEnumeration", "QualityMeasure", "Quality", "Of tetrahedra", _MEASURES),
     ("App::PropertyFloat", "QualityThreshold", "Quality", "Score below which tetrahedra are refined; 0 is the usual", 0.0),
+    ("App::PropertyFloat", "MaxDihedral", "Quality", "Dihedral angle above which tetrahedra are refined; 0 is the usual", 0.0),
     ("App::PropertyFloat", "MinAngle", "Quality", "Smallest angle wanted of triangles, degrees", 30.0),
     ("App::PropertyFloat", "MaxTurn", "Quality", "Largest turn of a curve along an edge, degrees", 90.0),
     ("App::PropertyBool", "AllowOverlap", "Run", "Mesh solids that overlap, each for itself", False),

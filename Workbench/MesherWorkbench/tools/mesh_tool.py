@@ -72,6 +72,7 @@ def options_of(obj, shape):
         "background": obj.BackgroundMesh or None,
         "measure": obj.QualityMeasure,
         "threshold": obj.QualityThreshold or None,
+        "max_dihedral": obj.MaxDihedral or None,
         "min_angle": obj.MinAngle,
         "max_turn": obj.MaxTurn,
         "allow_overlap": obj.AllowOverlap,

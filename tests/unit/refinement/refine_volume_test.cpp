@@ -196,8 +196,28 @@ TEST(RefineVolumeMeasures, ReachTheirThresholds)
         for (const TetId tet : meshedTets(solid)) {
             EXPECT_GE(score(info.measure, cornersOf(solid, tet)), info.threshold - 1e-9);
         }
-        EXPECT_LE(dihedralRange(solid).most, 155.0 + 1e-9);
+        EXPECT_LE(dihedralRange(solid).most, info.largestDihedral + 1e-9);
     }
+}
+
+/// What q1 and q7 do not see they would have to make far more vertices to be rid of: four times as many for q7 here.
+TEST(RefineVolumeMeasures, AreNotHeldToAnglesThatTheyDoNotSeeUnlessAsked)
+{
+    const auto refineFor = [](TetMeasure measure, std::optional<double> largestDihedral, double& most) {
+        SampledSolid solid = sampledTorus(2.0, 1.0, 20);
+        RefineVolumeOptions options;
+        options.quality.measure = measure;
+        options.quality.largestDihedral = largestDihedral;
+        const std::uint64_t vertices = refine(solid, options).vertices;
+        most = dihedralRange(solid).most;
+        return static_cast<double>(vertices);
+    };
+    double most = 0.0;
+    const double ofQ1 = refineFor(TetMeasure::ShortestEdgeToCircumradius, {}, most);
+    EXPECT_GT(most, 155.0);
+    EXPECT_LE(refineFor(TetMeasure::InradiusToLargestAltitude, {}, most), 1.5 * ofQ1);
+    EXPECT_GT(refineFor(TetMeasure::ShortestEdgeToCircumradius, 155.0, most), 1.2 * ofQ1);
+    EXPECT_LE(most, 155.0 + 1e-9);
 }
 
 TEST(RefineVolumeLimits, EndsAtEachLimitWithASoundMesh)

@@ -59,6 +59,8 @@ TEST(RefinementCriteria3d, CallsSmallAndLargeDihedralAnglesBad)
     OneTet above(flattened(1.01 * limit), 0.01);
     TetQualityLimits limits;
     limits.measure = TetMeasure::ShortestEdgeToCircumradius;  // does not see slivers
+    EXPECT_EQ(below.judge(limits, false).need, TetNeed::Nothing);
+    limits.largestDihedral = 155.0;
     EXPECT_EQ(below.judge(limits, false).need, TetNeed::Quality);
     EXPECT_EQ(above.judge(limits, false).need, TetNeed::Nothing);
     limits.largestDihedral = 180.0;
@@ -85,7 +87,8 @@ TEST(RefinementCriteria3d, AgreesWithTheMeasuresOnRandomTetrahedra)
             scale.setInitial();
             const auto angles = dihedralAngles(oriented);
             const double largest = *std::max_element(angles.begin(), angles.end());
-            const bool isBad = score(info.measure, oriented) < info.threshold || largest > 155.0;
+            const bool isBad =
+                score(info.measure, oriented) < info.threshold || largest > info.largestDihedral;
             ASSERT_EQ(RefinementCriteria3d(one.t.mesh(), scale, limits).isBad(one.tet), isBad) << info.key;
         }
         if (i >= 200) i += 10;
