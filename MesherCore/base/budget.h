@@ -32,13 +32,13 @@ struct BudgetUse
 /// Asked before each operation of every loop that could otherwise run without end:
 ///     while (auto entry = queue.pop()) { if (!budget.allows({vertexCount, elementCount})) break; … }
 /// Once it has refused it keeps refusing for the same reason.
-/// Cost  a few compares; the clock is read once in kOperationsPerClockReading operations.
+/// Cost  a few compares; the context is asked, and the clock read, once in kOperationsPerClockReading operations.
 class Budget
 {
 public:
     static constexpr std::uint64_t kOperationsPerClockReading = 64;
 
-    Budget(const BudgetLimits& limits, const RunContext& context);
+    Budget(const BudgetLimits& limits, RunContext& context);
 
     /// Whether one more operation may begin; counts it if so.
     [[nodiscard]] bool allows(BudgetUse use = {});
@@ -57,7 +57,7 @@ private:
     [[nodiscard]] std::optional<StopReason> findLimitReached(BudgetUse use) const;
 
     BudgetLimits limits_;
-    const RunContext& context_;
+    RunContext& context_;
     std::chrono::steady_clock::time_point start_;
     std::uint64_t operations_ = 0;
     std::optional<StopReason> exhausted_;

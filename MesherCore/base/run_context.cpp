@@ -12,6 +12,30 @@ RunContext::RunContext(RunSettings settings) : settings_(std::move(settings))
     MESHER_PRECONDITION(settings_.threads >= 1);
 }
 
+void RunContext::limitTime(std::chrono::steady_clock::time_point end)
+{
+    end_ = end_ ? std::min(*end_, end) : end;
+}
+
+void RunContext::limitTime(std::optional<double> seconds)
+{
+    using Clock = std::chrono::steady_clock;
+    // Thirty years, which the clock can still count.
+    constexpr double kMost = 1e9;
+    if (!seconds) return;
+    const std::chrono::duration<double> left(std::clamp(*seconds, 0.0, kMost));
+    limitTime(Clock::now() + std::chrono::duration_cast<Clock::duration>(left));
+}
+
+std::optional<StopReason> RunContext::stopReason()
+{
+    if (settings_.poll && !isCancelled() && std::this_thread::get_id() == home_ && !settings_.poll())
+        requestCancel();
+    if (isCancelled()) return StopReason::Cancelled;
+    if (end_ && std::chrono::steady_clock::now() >= *end_) return StopReason::TimeLimit;
+    return std::nullopt;
+}
+
 bool RunContext::reportProgress(std::string_view stage, double fraction)
 {
     if (isCancelled()) return false;
@@ -38,9 +62,10 @@ StageProgress::StageProgress(RunContext& context, std::string_view stage, std::u
 bool StageProgress::advance(std::uint64_t steps)
 {
     done_ = std::min(done_ + steps, stepCount_);
-    if (done_ < nextReport_ || done_ == stepCount_) return !context_.isCancelled();
+    if (done_ < nextReport_ || done_ == stepCount_)
+        return done_ % kStepsPerAsk == 0 ? context_.mayGoOn() : !context_.isCancelled();
     nextReport_ = done_ + stepsPerReport(stepCount_);
-    return report();
+    return report() && context_.mayGoOn();
 }
 
 bool StageProgress::finish()

@@ -1,9 +1,14 @@
 #pragma once
 
+#include "base/stop_reason.h"
+
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
+#include <thread>
 
 namespace mesher {
 
@@ -24,6 +29,8 @@ enum class LogLevel
 
 /// Told how far a stage is, fraction in [0, 1]; returns false to cancel the run.
 using ProgressHook = std::function<bool(std::string_view stage, double fraction)>;
+/// Asked again and again wherever the run is, at least some ten times a second; returns false to cancel the run.
+using PollHook = std::function<bool()>;
 using LogHook = std::function<void(LogLevel level, std::string_view message)>;
 
 /// What a caller chooses for a run. A default-made one is silent, checks nothing and uses one thread.
@@ -31,15 +38,16 @@ using LogHook = std::function<void(LogLevel level, std::string_view message)>;
 struct RunSettings
 {
     ProgressHook progress;
+    PollHook poll;
     LogHook log;
     std::uint64_t seed = 1;  ///< of every random choice of the run; the same seed gives the same mesh
     CheckLevel checkLevel = CheckLevel::Off;
     unsigned threads = 1;  ///< at least 1; the result does not depend on it
 };
 
-/// Progress, cancellation, log, seed and check level of one run, handed down by reference: the library has no
-/// global state. One context serves one run; only `requestCancel` and `isCancelled` may be called from other
-/// threads (and from signal handlers).
+/// Progress, cancellation, limit of time, log, seed and check level of one run, handed down by reference: the library has no
+/// global state. One context serves one run; only `requestCancel`, `isCancelled`, `stopReason` and `mayGoOn` may be called from
+/// other threads, and only the first two from signal handlers.
 class RunContext
 {
 public:
@@ -50,6 +58,17 @@ public:
 
     void requestCancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
     [[nodiscard]] bool isCancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+    /// The run is to end by then; of several limits the earliest counts.
+    void limitTime(std::chrono::steady_clock::time_point end);
+    void limitTime(std::optional<double> seconds);
+    /// For what is still to be made of a run whose time is over.
+    void liftTimeLimit() { end_.reset(); }
+
+    /// Why the run is to end now, if it is. Every loop that may take more than a tenth of a second asks this or a `Budget`, which
+    /// does so. Costs a reading of the clock.
+    [[nodiscard]] std::optional<StopReason> stopReason();
+    [[nodiscard]] bool mayGoOn() { return !stopReason(); }
 
     /// Tells the progress hook; false if the run is to end, now or because it was cancelled before.
     bool reportProgress(std::string_view stage, double fraction);
@@ -63,11 +82,38 @@ private:
     static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may cancel");
 
     RunSettings settings_;
+    std::thread::id home_ = std::this_thread::get_id();  ///< of the hooks
+    std::optional<std::chrono::steady_clock::time_point> end_;
     std::atomic<bool> cancelled_ = false;
 };
 
+/// Asks a context once in many short steps, so that a step costs a count and a compare. What it has once refused it refuses
+/// for good.
+class StepWatch
+{
+public:
+    explicit StepWatch(RunContext& context, std::uint32_t stepsPerAsk = 1024)
+        : context_(context), stepsPerAsk_(stepsPerAsk)
+    {
+    }
+
+    /// Whether one more step may begin.
+    [[nodiscard]] bool mayGoOn()
+    {
+        if (steps_++ % stepsPerAsk_ == 0 && !reason_) reason_ = context_.stopReason();
+        return !reason_;
+    }
+    [[nodiscard]] std::optional<StopReason> stopReason() const { return reason_; }
+
+private:
+    RunContext& context_;
+    std::uint32_t stepsPerAsk_;
+    std::uint32_t steps_ = 0;
+    std::optional<StopReason> reason_;
+};
+
 /// Progress of one stage of known length: counts steps and tells the hook about each new hundredth only, so a
-/// step costs an addition and a compare. Counting rather than timing keeps the calls reproducible.
+/// step costs an addition and a compare. Counting rather than timing keeps the calls reproducible. Asks the context on the way.
 class StageProgress
 {
 public:
@@ -81,6 +127,8 @@ public:
 
 private:
     [[nodiscard]] bool report();
+
+    static constexpr std::uint64_t kStepsPerAsk = 64;
 
     RunContext& context_;
     std::string_view stage_;

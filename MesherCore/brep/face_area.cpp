@@ -9,7 +9,7 @@ namespace mesher {
 double areaOf(const BrepModel& model, const BrepFace& face)
 {
     return std::abs(
-        faceIntegral(model, face, 2, [](const SurfacePoint& point) { return length(point.normal()); }));
+        faceIntegral(model, face, [](const SurfacePoint& point) { return length(point.normal()); }));
 }
 
 }  // namespace mesher

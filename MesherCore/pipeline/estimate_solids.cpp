@@ -1,7 +1,5 @@
 #include "pipeline/estimate_solids.h"
 
-#include "brep/face_area.h"
-#include "brep/solid_volume.h"
 #include "delaunay/triangulation3d.h"
 #include "pipeline/feature_sizes.h"
 #include "pipeline/model_components.h"
@@ -50,16 +48,18 @@ public:
     }
 
     /// None if no cell is in the region.
-    std::optional<double> of(const Box3& box)
+    std::optional<double> of(const Box3& box, RunContext& context)
     {
-        add(box, 0, 1.0);
+        StepWatch watch(context, kCellsPerAsk);
+        add(box, 0, 1.0, watch);
         if (!(inside_ > 0.0)) return std::nullopt;
         return sum_ / inside_;
     }
 
 private:
-    void add(const Box3& box, int depth, double share)
+    void add(const Box3& box, int depth, double share, StepWatch& watch)
     {
+        if (!watch.mayGoOn()) return;
         ++cells_;
         const Vec3 centre = 0.5 * (box.low + box.high);
         const double size = std::min(largest_, sizes_.sizeAt(centre));
@@ -77,12 +77,13 @@ private:
             part.include({(octant & 1) != 0 ? box.high.x : box.low.x,
                           (octant & 2) != 0 ? box.high.y : box.low.y,
                           (octant & 4) != 0 ? box.high.z : box.low.z});
-            add(part, depth + 1, 0.125 * share);
+            add(part, depth + 1, 0.125 * share, watch);
         }
     }
 
     static constexpr int kMostDepth = 8;
     static constexpr int kMostCells = 300'000;
+    static constexpr std::uint32_t kCellsPerAsk = 256;
 
     const SizingField& sizes_;
     double largest_;
@@ -135,8 +136,8 @@ std::vector<FaceSample> samplesOf(const BrepFace& face, const SizingField* sizes
 }
 
 /// Triangles of a face beyond those that the sizes around it would make.
-double fineTriangles(const BrepModel& model, const BrepFace& face, const MeshOptions& options,
-                     const SizingField* sizes, double largest)
+double fineTriangles(const BrepFace& face, double area, const MeshOptions& options, const SizingField* sizes,
+                     double largest)
 {
     if (face.surface->kind() == SurfaceKind::Plane) return 0.0;
     double weights = 0.0;
@@ -146,7 +147,7 @@ double fineTriangles(const BrepModel& model, const BrepFace& face, const MeshOpt
         weights += sample.weight;
         sum += sample.weight * (1.0 / (size * size) - 1.0 / (sample.wanted * sample.wanted));
     }
-    return weights > 0.0 ? areaOf(model, face) * sum / (weights * kRegularTriangle) : 0.0;
+    return weights > 0.0 ? area * sum / (weights * kRegularTriangle) : 0.0;
 }
 
 double largestSize(const BrepModel& model, const MeshOptions& options)
@@ -155,14 +156,13 @@ double largestSize(const BrepModel& model, const MeshOptions& options)
 }
 
 /// Of the sizes wanted in the volume, which is the region if there is one; 0 where it is not known.
-double tetsForSizes(const BrepModel& model, const SizingField* sizes, double largest,
-                    const SizeRegion* region = nullptr)
+double tetsForSizes(const BrepModel& model, const SolidVolume& volume, const SizingField* sizes,
+                    double largest, const SizeRegion* region, RunContext& context)
 {
-    const SolidVolume volume = volumeOf(model);
     if (volume.uncertainty > kTrustedUncertainty * volume.value) return 0.0;
     std::optional<double> density = 1.0 / (largest * largest * largest);
-    if (sizes != nullptr) density = MeanDensity(*sizes, largest, region).of(model.box);
-    if (!density) density = MeanDensity(*sizes, largest, nullptr).of(model.box);
+    if (sizes != nullptr) density = MeanDensity(*sizes, largest, region).of(model.box, context);
+    if (!density) density = MeanDensity(*sizes, largest, nullptr).of(model.box, context);
     return kTetsForWanted * volume.value * *density / kRegularTet;
 }
 
@@ -223,9 +223,8 @@ double areaOfFacet(const SurfaceMesh& mesh, const SurfaceFacet& facet)
 }
 
 /// What a body has behind its surface, on average; infinite where its volume is not known.
-double meanDepth(const BrepModel& model, const std::vector<SurfaceSample>& samples)
+double meanDepth(const SolidVolume& volume, const std::vector<SurfaceSample>& samples)
 {
-    const SolidVolume volume = volumeOf(model);
     if (volume.uncertainty > kTrustedUncertainty * volume.value) return kNoSize;
     double area = 0.0;
     for (const SurfaceSample& sample : samples) {
@@ -256,13 +255,15 @@ double tetsAtFineFacets(const SurfaceMesh& mesh, const SizingField* sizes, doubl
 
 }  // namespace
 
-MeshEstimate estimateSolids(const BrepModel& model, const MeshOptions& options, const SizingField* sizes)
+MeshEstimate estimateSolids(const BrepModel& model, const ModelMeasures& measures, const MeshOptions& options,
+                            const SizingField* sizes, RunContext& context)
 {
     const double largest = largestSize(model, options);
-    double tets = tetsForSizes(model, sizes, largest);
-    for (std::uint32_t i = 0; i < model.faces.size(); ++i) {
+    double tets = tetsForSizes(model, measures.volume, sizes, largest, nullptr, context);
+    for (std::uint32_t i = 0; i < model.faces.size() && context.mayGoOn(); ++i) {
+        const BrepFaceId f(i);
         tets +=
-            kTetsForFineTriangle * fineTriangles(model, model.faces[BrepFaceId(i)], options, sizes, largest);
+            kTetsForFineTriangle * fineTriangles(model.faces[f], measures.areaOf[f], options, sizes, largest);
     }
     return costOfTets(tets, model);
 }
@@ -270,6 +271,7 @@ MeshEstimate estimateSolids(const BrepModel& model, const MeshOptions& options, 
 MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& options,
                                     std::shared_ptr<const SizingField> sizes, RunContext& context)
 {
+    const ModelMeasures measures = measureModel(model, context);
     std::vector<std::shared_ptr<const SizingField>> fields;
     if (sizes) fields.push_back(sizes);
     std::vector<SurfaceSample> samples;
@@ -277,7 +279,7 @@ MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& o
     for (const ModelComponent& component : solidComponents(model)) {
         Result<SurfaceSample> sample = sampleSurface(component.model, samplingOfShape(options), context);
         const bool isWhole = sample && sample->failures.empty() && sample->stopReason == StopReason::Done;
-        if (!isWhole) return estimateSolids(model, options, sizes.get());
+        if (!isWhole) return estimateSolids(model, measures, options, sizes.get(), context);
         samples.push_back(std::move(sample).value());
         addOuterFacets(component.model, samples.back().surface->mesh(), hull);
         // What has no such sizes is refused by the run.
@@ -288,8 +290,8 @@ MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& o
         sizes = std::make_shared<CombinedSize>(std::move(fields), options.minSize.value_or(0.0));
     const double largest = largestSize(model, options);
     const SolidRegion inside(std::move(hull));
-    double tets = tetsForSizes(model, sizes.get(), largest, &inside);
-    const double depth = meanDepth(model, samples);
+    double tets = tetsForSizes(model, measures.volume, sizes.get(), largest, &inside, context);
+    const double depth = meanDepth(measures.volume, samples);
     for (const SurfaceSample& sample : samples)
         tets += tetsAtFineFacets(sample.surface->mesh(), sizes.get(), largest, depth);
     return costOfTets(tets, model);

@@ -2,6 +2,7 @@
 
 #include "base/run_context.h"
 #include "brep/brep_model.h"
+#include "brep/model_measures.h"
 #include "pipeline/estimate.h"
 #include "pipeline/mesh_options.h"
 #include "sizing/sizing_field.h"
@@ -15,9 +16,11 @@ namespace mesher {
 /// Guarantees   a factor of about two where the sizes asked for or curvature decide; where fine details of the shape do it is
 ///              far too low, and without the volume where that is not known. It never takes long: a run asks it first
 /// Requires     valid options; the field of solidSizes (may be null)
+/// Terminates   early when the run is to end; the estimate is worth nothing then, as below
 /// Cost         evaluations of faces on a grid, and of the field on at most 300,000 cells of an octree
-[[nodiscard]] MeshEstimate estimateSolids(const BrepModel& model, const MeshOptions& options,
-                                          const SizingField* sizes);
+[[nodiscard]] MeshEstimate estimateSolids(const BrepModel& model, const ModelMeasures& measures,
+                                          const MeshOptions& options, const SizingField* sizes,
+                                          RunContext& context);
 
 /// The same with the facets that the shape itself needs, of a sample of its surface without sizes: what users are told.
 /// Guarantees   a factor of 1.5 on ordinary parts, of two where walls are thinner than the sizes; a quarter where sizes grow by

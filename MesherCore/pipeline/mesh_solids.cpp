@@ -1,7 +1,6 @@
 #include "pipeline/mesh_solids.h"
 
-#include "brep/face_area.h"
-#include "brep/solid_volume.h"
+#include "brep/model_measures.h"
 #include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
 #include "pipeline/merge_reports.h"
@@ -49,14 +48,12 @@ Result<void> checkSolids(const BrepModel& model)
 }
 
 /// Volume and area of the model, where they are known well enough.
-void tellMeasures(const BrepModel& model, MeshReport& report)
+void tellMeasures(const ModelMeasures& measures, MeshReport& report)
 {
-    const SolidVolume volume = volumeOf(model);
+    const SolidVolume& volume = measures.volume;
     if (volume.uncertainty > kReportedUncertainty * volume.value) return;
     report.modelVolume = volume.value;
-    double area = 0.0;
-    for (const BrepFace& face : model.faces) area += areaOf(model, face);
-    report.modelArea = area;
+    report.modelArea = measures.area();
 }
 
 Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, const MeshOptions& options,
@@ -125,9 +122,15 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     MeshOutcome whole;
     whole.report.options = options;
     const StageWatch estimation;
-    tellMeasures(model, whole.report);
-    const Result<void> affordable = checkAffordable(estimateSolids(model, options, sizes->get()), options);
+    const ModelMeasures measures = measureModel(model, context);
+    const MeshEstimate estimate = estimateSolids(model, measures, options, sizes->get(), context);
     estimation.addTo(whole.report, "estimate");
+    if (const std::optional<StopReason> reason = context.stopReason()) {
+        tellStop(*reason, whole.report);
+        return whole;
+    }
+    tellMeasures(measures, whole.report);
+    const Result<void> affordable = checkAffordable(estimate, options);
     if (!affordable) {
         fail(whole.report, affordable.error());
         return whole;

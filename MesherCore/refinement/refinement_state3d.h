@@ -18,7 +18,7 @@ namespace mesher {
 struct RefinementState3d
 {
     RefinementState3d(ConstrainedTetrahedralization& tetrahedralization, SurfaceSplitter& surfaceSplitter,
-                      const DelaunayRefinementOptions3d& wanted, const RunContext& context)
+                      const DelaunayRefinementOptions3d& wanted, RunContext& context)
         : t(tetrahedralization),
           mesh(t.mesh()),
           splitter(surfaceSplitter),

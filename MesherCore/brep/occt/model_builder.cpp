@@ -1,6 +1,7 @@
 #include "brep/occt/model_builder.h"
 
 #include "brep/analytic/parameter_curves.h"
+#include "brep/model_box.h"
 #include "brep/occt/occt_convert.h"
 #include "brep/occt/occt_curve.h"
 #include "brep/occt/occt_error.h"
@@ -8,10 +9,8 @@
 #include "brep/occt/occt_trim.h"
 #include "brep/occt/wire_order.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -86,7 +85,7 @@ public:
             if (!added) return added.error();
         }
         addSolids();
-        addBox();
+        model_.box = boxOf(model_);
         return std::move(model_);
     }
 
@@ -342,16 +341,6 @@ private:
             if (!seen.Contains(face.Current())) model_.looseShells.push_back(makeShell(face.Current()));
             seen.Add(face.Current());
         }
-    }
-
-    void addBox()
-    {
-        Bnd_Box box;
-        BRepBndLib::AddOptimal(shape_, box, false, false);
-        if (box.IsVoid()) return;
-        box.SetGap(0.0);
-        model_.box.include(toVec(box.CornerMin()));
-        model_.box.include(toVec(box.CornerMax()));
     }
 
     TopoDS_Shape shape_;

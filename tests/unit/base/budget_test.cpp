@@ -9,7 +9,7 @@ namespace {
 
 TEST(Budget, LimitsNothingByDefault)
 {
-    const RunContext context;
+    RunContext context;
     Budget budget({}, context);
     for (int i = 0; i < 1000; ++i) ASSERT_TRUE(budget.allows({1'000'000'000, 1'000'000'000}));
     EXPECT_EQ(budget.operations(), 1000u);
@@ -20,7 +20,7 @@ TEST(Budget, LimitsNothingByDefault)
 
 TEST(Budget, AllowsExactlyTheGivenNumberOfOperations)
 {
-    const RunContext context;
+    RunContext context;
     BudgetLimits limits;
     limits.maxOperations = 3;
     Budget budget(limits, context);
@@ -33,7 +33,7 @@ TEST(Budget, AllowsExactlyTheGivenNumberOfOperations)
 
 TEST(Budget, StopsAtTheVertexAndElementLimits)
 {
-    const RunContext context;
+    RunContext context;
     BudgetLimits limits;
     limits.maxVertices = 10;
     limits.maxElements = 50;
@@ -48,7 +48,7 @@ TEST(Budget, StopsAtTheVertexAndElementLimits)
 
 TEST(Budget, StopsWhenTheTimeIsUp)
 {
-    const RunContext context;
+    RunContext context;
     BudgetLimits limits;
     limits.maxTime = std::chrono::seconds(0);
     Budget spent(limits, context);

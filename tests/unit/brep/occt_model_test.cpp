@@ -36,6 +36,30 @@ TEST(OcctModel, KeepsTheContract)
     }
 }
 
+TEST(OcctModel, HasABoxThatTouchesItsFaces)
+{
+    constexpr int kSteps = 60;
+    constexpr double kBetweenSamples = 0.03;
+    for (const auto& [name, shape] : test::kernelModels()) {
+        SCOPED_TRACE(name);
+        const BrepModel model = readModelFromShape(shape).value().model;
+        Box3 sampled;
+        for (const BrepFace& face : model.faces) {
+            for (int i = 0; i <= kSteps * kSteps; ++i) {
+                const Vec2 uv{face.boundsU.at(static_cast<double>(i / kSteps) / kSteps),
+                              face.boundsV.at(static_cast<double>(i % kSteps) / kSteps)};
+                if (face.trim->classify(uv) == TrimSide::Inside) sampled.include(face.surface->position(uv));
+            }
+        }
+        const double allowed = kBetweenSamples * length(model.box.extent());
+        EXPECT_LT(length(sampled.low - model.box.low), allowed);
+        EXPECT_LT(length(sampled.high - model.box.high), allowed);
+        const Vec3 rounding = {1e-9, 1e-9, 1e-9};
+        const Box3 grown = {model.box.low - rounding, model.box.high + rounding};
+        EXPECT_TRUE(grown.contains(sampled.low) && grown.contains(sampled.high));
+    }
+}
+
 TEST(OcctModel, NumbersEntitiesAsMapShapes)
 {
     for (const auto& [name, shape] : test::kernelModels()) {
