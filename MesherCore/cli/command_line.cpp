@@ -23,7 +23,7 @@ po::options_description meshingOptions()
     auto add = options.add_options();
     add("dimension", po::value<std::string>(), "2: faces, 3: solids (default 3)");
     add("faces", po::value<std::string>(), "with --dimension 2: only these, e.g. Face1,Face6 (default all)");
-    add("size", po::value<std::string>(), "largest edge length, model units");
+    add("size", po::value<std::string>(), "mean edge on surfaces where nothing asks for less, model units");
     add("min-size", po::value<std::string>(), "no smaller size is asked for");
     add("curvature", po::value<std::string>(), "elements in a full turn of a curve (default 0: off)");
     add("sag", po::value<std::string>(), "largest distance of an edge from its curve (default 0: off)");

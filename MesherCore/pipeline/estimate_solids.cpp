@@ -20,13 +20,13 @@ namespace mesher {
 
 namespace {
 
-// Measured on meshes of ordinary parts: an element of edge length h takes 0.118 h^3 if it is regular; sizes are upper bounds, so
-// that there are more. Beside a face finer than its surroundings elements grow away from it.
+// Measured on meshes of ordinary parts: an element of edge length h takes 0.118 h^3 if it is regular; inside, edges are longer than
+// the size (size_bounds.h), so that there are fewer. Beside a face finer than its surroundings elements grow away from it.
 constexpr double kRegularTet = 0.118;
 constexpr double kRegularTriangle = 0.433;
-constexpr double kTetsForWanted = 1.35;
-constexpr double kTetsForFineTriangle = 13.0;  // with those along its edges
-constexpr double kTetsForFineFacet = 5.0;
+constexpr double kTetsForWanted = 0.7;
+constexpr double kTetsForFineTriangle = 9.0;  // with those along its edges
+constexpr double kTetsForFineFacet = 7.5;
 constexpr double kTetsForEdge = 15.0;
 constexpr double kBytesForTet = 220.0;
 constexpr double kBytesAtLeast = 4e7;

@@ -17,9 +17,10 @@ struct MeshOptions
     int dimension = 3;               ///< 2 the planar faces, 3 the solids. DEFAULT: 3
     std::vector<std::string> faces;  ///< what is meshed in two dimensions: "Face6", … DEFAULT: all
 
-    /// \name Size (edge length, model units)
+    /// \name Size (mean edge on curves and surfaces, model units; see sizing/size_bounds.h)
     ///@{
-    std::optional<double> size;     ///< largest; > 0. DEFAULT: only as small as shape and quality want
+    std::optional<double>
+        size;  ///< where nothing asks for less; > 0. DEFAULT: only as small as shape and quality want
     std::optional<double> minSize;  ///< none is asked to be smaller; > 0, at most `size`. DEFAULT: none
     double curvature = 0.0;         ///< elements in a full turn of a curve, 0 (off) or 3 … 3600. DEFAULT: 0
     double sag = 0.0;               ///< largest distance of an edge from its curve; 0 is off. DEFAULT: 0

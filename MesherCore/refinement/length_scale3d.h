@@ -2,6 +2,7 @@
 
 #include "base/id_vector.h"
 #include "delaunay/constrained_tetrahedralization.h"
+#include "sizing/size_bounds.h"
 #include "sizing/sizing_field.h"
 
 #include <span>
@@ -42,6 +43,11 @@ public:
     [[nodiscard]] double wantedNear(const Vec3& position, double radius) const;
     [[nodiscard]] bool hasField() const { return sizing_.field != nullptr; }
     [[nodiscard]] bool isActive() const { return sizing_.isActive(); }
+    /// What entities of such scales may be.
+    [[nodiscard]] const SizeBounds& bounds() const
+    {
+        return sizing_.usesLocalFeatureSize ? kFeatureSizeBounds : kEdgeSizeBounds;
+    }
 
     [[nodiscard]] double size(VertexId v) const { return mesh_.lengthScale(v); }
     [[nodiscard]] double guard(VertexId v) const { return guard_[v]; }

@@ -14,6 +14,11 @@ namespace {
 /// came, which stays near the same place of memory.
 double sizeClass(double squaredFactor) { return std::ldexp(1.0, 2 * (std::ilogb(squaredFactor) / 2)); }
 
+/// How far from the middle of an entity as large as it may be a small place of the field is looked for, in sizes. Farther out a
+/// size that grows with the distance is low enough to ask for half as many elements again.
+constexpr double kReach = 0.43;
+constexpr double kReachOfFacet = 0.35;
+
 double squaredCosine(double degrees)
 {
     const double cosine = std::cos(degrees * std::numbers::pi / 180.0);
@@ -42,6 +47,7 @@ RefinementCriteria3d::RefinementCriteria3d(const Triangulation3d& mesh, const Le
     : mesh_(mesh),
       scale_(scale),
       limits_(limits),
+      bounds_(scale.bounds()),
       threshold_(limits.threshold.value_or(infoOf(limits.measure).threshold)),
       squaredCosineOfSmall_(1.0 - threshold_ * threshold_),
       squaredCosineOfLarge_(
@@ -79,17 +85,17 @@ inline RefinementCriteria3d::Shape RefinementCriteria3d::shapeOf(TetId tet) cons
 }
 
 /// Squared ratio of the circumradius and the largest that the length scale allows; above 1 it is too large.
-/// Thesis section 4.4: r / LS <= sqrt(3) / 2.
 double RefinementCriteria3d::sizeExcess(const Shape& s) const
 {
+    const double squaredBound = bounds_.tet * bounds_.tet;
     const double denominator = 4.0 * s.determinant * s.determinant;
-    double excess = s.squaredRadiusNumerator() / (0.75 * s.meanScale * s.meanScale * denominator);
+    double excess = s.squaredRadiusNumerator() / (squaredBound * s.meanScale * s.meanScale * denominator);
     if (excess > 1.0 || !scale_.hasField()) return excess;
     // It may hide a small place of the field between its vertices.
     const Vec3 centroid = 0.25 * ((s.corner[0] + s.corner[1]) + (s.corner[2] + s.corner[3]));
     const double squaredRadius = s.squaredRadiusNumerator() / denominator;
-    const double near = scale_.wantedNear(centroid, 0.5 * std::sqrt(squaredRadius));
-    if (near < s.meanScale) excess = squaredRadius / (0.75 * near * near);
+    const double near = scale_.wantedNear(centroid, kReach / bounds_.tet * std::sqrt(squaredRadius));
+    if (near < s.meanScale) excess = squaredRadius / (squaredBound * near * near);
     return excess;
 }
 
@@ -202,9 +208,11 @@ bool RefinementCriteria3d::isTooLarge(const std::array<VertexId, 3>& facet) cons
     const double squaredRadius = squaredLength(a - *centre);
     double wanted = (scale_.size(facet[0]) + scale_.size(facet[1]) + scale_.size(facet[2])) / 3.0;
     if (scale_.hasField()) {
-        wanted = std::min(wanted, scale_.wantedNear(*centre, 0.5 * std::sqrt(squaredRadius)));
+        wanted = std::min(
+            wanted, scale_.wantedNear(*centre, kReachOfFacet / bounds_.facet * std::sqrt(squaredRadius)));
     }
-    return squaredRadius > 0.5 * wanted * wanted;
+    wanted *= bounds_.facet;
+    return squaredRadius > wanted * wanted;
 }
 
 bool RefinementCriteria3d::maySplit(VertexId a, VertexId b) const

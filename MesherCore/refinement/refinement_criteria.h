@@ -80,6 +80,7 @@ private:
     const Triangulation3d& mesh_;
     const LengthScale3d& scale_;
     TetQualityLimits limits_;
+    SizeBounds bounds_;
     double threshold_;
     double squaredCosineOfSmall_;  ///< of dihedral angles below which q2 calls a tetrahedron bad
     double squaredCosineOfLarge_;

@@ -1,6 +1,6 @@
 #include "base/indexed_map.h"
-#include "brep/curve_cuts.h"
 #include "surface_sampling/curve_chains.h"
+#include "surface_sampling/curve_division.h"
 #include "surface_sampling/small_angles.h"
 
 #include <algorithm>
@@ -13,60 +13,8 @@ namespace mesher {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-// Counts of pieces that are whole but for rounding.
-constexpr double kCountSlack = 1e-9;
 // Chords of curves that should be straight, radians.
 constexpr double kStraight = 1e-9;
-
-/// The wanted number of elements along a curve from one end, as a function of the share of its arc length.
-class ElementCount
-{
-public:
-    ElementCount(const TangentVariation& table, Interval part, const SizingField& sizes)
-        : table_(table), part_(part), total_(table.arcLength(part.first, part.last))
-    {
-        constexpr std::size_t kFewest = 16, kMost = 4096;
-        tabulate(sizes, kFewest);
-        const auto wanted = static_cast<std::size_t>(std::min(4.0 * sums_.back(), double(kMost)));
-        if (wanted > kFewest) tabulate(sizes, wanted);
-    }
-
-    [[nodiscard]] double total() const { return sums_.back(); }
-
-    /// The parameter up to which there are that many elements.
-    [[nodiscard]] double parameterAt(double count) const
-    {
-        const auto above = std::upper_bound(sums_.begin(), sums_.end(), count);
-        if (above == sums_.end()) return part_.last;
-        const auto i = static_cast<std::size_t>(above - sums_.begin());
-        const double step = sums_[i] - sums_[i - 1];
-        const double share = (static_cast<double>(i - 1) + (count - sums_[i - 1]) / step) /
-                             static_cast<double>(sums_.size() - 1);
-        return table_.parameterAtLengthFraction(part_.first, part_.last, share);
-    }
-
-private:
-    void tabulate(const SizingField& sizes, std::size_t steps)
-    {
-        const auto densityAt = [&](std::size_t i) {
-            const double share = static_cast<double>(i) / static_cast<double>(steps);
-            const double t = table_.parameterAtLengthFraction(part_.first, part_.last, share);
-            return total_ / (static_cast<double>(steps) * sizes.sizeAt(table_.curve().position(t)));
-        };
-        sums_.assign(1, 0.0);
-        double previous = densityAt(0);
-        for (std::size_t i = 1; i <= steps; ++i) {
-            const double next = densityAt(i);
-            sums_.push_back(sums_.back() + 0.5 * (previous + next));
-            previous = next;
-        }
-    }
-
-    const TangentVariation& table_;
-    Interval part_;
-    double total_;
-    std::vector<double> sums_;
-};
 
 }  // namespace
 
@@ -136,63 +84,27 @@ private:
             return {};
         }
         chains_.variations_.push_back(std::optional<TangentVariation>(std::in_place, edge.curve, edge.part));
-        std::vector<double> parameters{edge.part.first};
-        for (const CurveCut& cut : cutsOf(id)) {
-            if (!addPieces(id, {parameters.back(), cut.parameter}, parameters)) return tooMany(id);
-        }
+        const std::vector<double> parameters = divideCurve(*chains_.variations_[id], wishesOf(id));
+        if (parameters.empty()) return tooMany(id);
         if (chains_.segments_.size() + parameters.size() > options_.maxSegments) return tooMany(id);
         addChain(id, parameters);
         return {};
     }
 
-    /// By total variation; pieces below the floor are not made unless the edge is closed, which needs three.
-    [[nodiscard]] std::vector<CurveCut> cutsOf(BrepEdgeId id) const
+    /// A closed edge needs three segments.
+    [[nodiscard]] CurveWishes wishesOf(BrepEdgeId id) const
     {
-        const BrepEdge& edge = model_.edges[id];
-        const TangentVariation& table = *chains_.variations_[id];
-        const int least = edge.isClosed() ? 3 : 1;
-        double bound = options_.maxVariation * kRadiansPerDegree;
+        CurveWishes wishes;
+        wishes.maxVariation = options_.maxVariation * kRadiansPerDegree;
         if (options_.segmentsPerTurn > 0.0)
-            bound = std::min(bound, 2.0 * std::numbers::pi / options_.segmentsPerTurn);
-        const double room = table.totalLength() / chains_.floors_[id];
-        if (table.totalVariation() > bound * room) {
-            const double most = std::max(static_cast<double>(least), std::floor(room));
-            bound = table.totalVariation() / most;
-        }
-        return cutByVariation(table, bound, least);
-    }
-
-    /// Appends the ends of pieces that keep to the wanted lengths and sag; false if they are too many.
-    bool addPieces(BrepEdgeId id, Interval part, std::vector<double>& parameters) const
-    {
-        const TangentVariation& table = *chains_.variations_[id];
-        const double arc = table.arcLength(part.first, part.last);
-        double pieces = 1.0;
-        if (options_.maxSag > 0.0)
-            pieces = std::sqrt(arc * table.variation(part.first, part.last) / (8.0 * options_.maxSag));
-        std::optional<ElementCount> elements;
-        if (options_.sizes != nullptr && arc > chains_.floors_[id])
-            elements.emplace(table, part, *options_.sizes);
-        const bool isSized = elements && elements->total() >= pieces;
-        if (isSized) pieces = elements->total();
-        const double wanted = std::clamp(std::ceil(pieces - kCountSlack), 1.0,
-                                         std::max(1.0, std::floor(arc / chains_.floors_[id])));
-        if (!(wanted < static_cast<double>(options_.maxSegments))) return false;
-        for (double i = 1.0; i < wanted; ++i) {
-            const double share = i / wanted;
-            const double t = isSized ? elements->parameterAt(share * elements->total())
-                                     : parameterAtTurningShare(table, part, share);
-            if (parameters.back() < t && t < part.last) parameters.push_back(t);
-        }
-        parameters.push_back(part.last);
-        return true;
-    }
-
-    static double parameterAtTurningShare(const TangentVariation& table, Interval part, double share)
-    {
-        const double turning = table.variation(part.first, part.last);
-        return turning > kStraight ? table.parameterAtVariation(part.first, share * turning)
-                                   : table.parameterAtLengthFraction(part.first, part.last, share);
+            wishes.maxVariation =
+                std::min(wishes.maxVariation, 2.0 * std::numbers::pi / options_.segmentsPerTurn);
+        wishes.maxSag = options_.maxSag;
+        wishes.sizes = options_.sizes;
+        wishes.floor = chains_.floors_[id];
+        wishes.leastPieces = model_.edges[id].isClosed() ? 3 : 1;
+        wishes.mostPieces = static_cast<double>(options_.maxSegments);
+        return wishes;
     }
 
     void addChain(BrepEdgeId id, const std::vector<double>& parameters)

@@ -1,5 +1,6 @@
 #include "surface_sampling/facet_criteria.h"
 
+#include "sizing/size_bounds.h"
 #include "surface_sampling/facet_measures.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ double FacetCriteria::sizeAt(const Vec3& point, double curvatureRadius) const
         size = std::min(size, std::max(turn, leastAt(point)));
     }
     if (options_.maxSag > 0.0) {
-        // No edge is longer than sqrt(2) times its size.
-        const double chord = std::sqrt(4.0 * curvatureRadius * options_.maxSag);
+        // The longest edge is a diameter of the largest facet.
+        const double chord = std::sqrt(2.0 * curvatureRadius * options_.maxSag) / kEdgeSizeBounds.facet;
         size = std::min(size, std::max(chord, leastAt(point)));
     }
     if (options_.sizes != nullptr) size = std::min(size, options_.sizes->sizeAt(point));
@@ -66,7 +67,7 @@ bool FacetCriteria::isTooLong(const FaceMesh& mesh, EdgeLink side) const
 {
     const FaceVertex& a = mesh.vertex(mesh.from(side));
     const FaceVertex& b = mesh.vertex(mesh.to(side));
-    const double wanted = 0.5 * (a.size + b.size);
+    const double wanted = kSegmentBound * 0.5 * (a.size + b.size);
     return squaredLength(b.position - a.position) > wanted * wanted;
 }
 
@@ -94,9 +95,8 @@ FacetVerdict FacetCriteria::judge(const FaceMesh& mesh, TriangleId t) const
     const FaceVertex& c = mesh.vertex(record.v[2]);
     const FacetShape shape = FacetShape::of(a.position, b.position, c.position);
     double excess = record.isForced ? kForced : 0.0;  // squared
-    // Edges come out about as long as they are wanted if the circumradius is held to the wanted length over sqrt(2).
-    const double wantedSize = (a.size + b.size + c.size) / 3.0;
-    excess = std::max(excess, 2.0 * shape.squaredRadius / (wantedSize * wantedSize));
+    const double largest = kEdgeSizeBounds.facet * (a.size + b.size + c.size) / 3.0;
+    excess = std::max(excess, shape.squaredRadius / (largest * largest));
     if (options_.rho > 0.0) {
         const double radius = std::min({a.curvatureRadius, b.curvatureRadius, c.curvatureRadius});
         const double wanted = std::max(radius / (2.0 * options_.rho), options_.leastCurvatureSize);

@@ -24,8 +24,7 @@ struct FacetCriteriaOptions
     /// Smallest angle wanted, degrees; 0 asks for none. Refinement is proven to end up to 20.7 [thesis §3.3.2.3], in practice
     /// it ends up to 30; in [0, 34].
     double minAngle = 30.0;
-    /// Length of edges on average, model units: facets with a circumradius above it over sqrt(2) are split, so that no edge is
-    /// longer than sqrt(2) times it (thesis section 4.4).
+    /// Length of edges on average, model units; see size_bounds.h for what is split.
     double maxSize = std::numeric_limits<double>::infinity();
     /// Edges on a full turn at the surface's least radius of curvature; 0 for no wish.
     double elementsPerTurn = 0.0;

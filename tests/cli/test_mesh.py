@@ -143,7 +143,7 @@ class TestSolids(Case):
         self.assertAlmostEqual(json.loads((self.folder / "r.json").read_text())["mesh"]["area"], 22.0, delta=1e-9)
 
     def test_limits(self):
-        self.expect_refusal(1, "limit of 2000 elements", "mesh", DATA / "box.brep", "--size", 0.3, "--max-elements", 2000, "-o", "m.msh")
+        self.expect_refusal(1, "limit of 1000 elements", "mesh", DATA / "box.brep", "--size", 0.3, "--max-elements", 1000, "-o", "m.msh")
         self.expect_refusal(1, "time limit", "mesh", DATA / "box.brep", "--size", 0.01, "--timeout", 0.2, "-o", "m.msh")
         self.assertFalse((self.folder / "m.msh").exists())
 

@@ -72,7 +72,7 @@ class TestOtherCommands(Case):
         self.assertEqual(struct.unpack(">I", header[16:20])[0], 300)
 
     def test_draws_solids_and_their_cuts(self):
-        self.expect(0, "mesh", DATA / "box.brep", "--size", 0.5, "-o", "m.vtu")
+        self.expect(0, "mesh", DATA / "box.brep", "--size", 0.3, "-o", "m.vtu")
         pictures = {}
         for name, cut in (("both", []), ("surface", ["--cut", "no"]), ("x", ["--cut", "x"]), ("near", ["--cut", "x=0.9"])):
             self.expect(0, "draw", "m.vtu", "-o", "m.png", "--width", 300, *cut)

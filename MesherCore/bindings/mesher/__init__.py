@@ -30,7 +30,7 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     heal            repair the shape first
     dimension       3 tetrahedra in the solids, 2 triangles on the faces
     faces           what is meshed in two dimensions: ["Face3"]; None is all
-    size, min_size  the largest size, and the least that any other option may ask for
+    size, min_size  the mean edge on surfaces where nothing asks for less; the least that any other option may ask for
     curvature       elements in a full turn of a curve; 0 is off
     sag             largest distance of an edge from its curve; 0 is off
     refinement      R: boundary size is local feature size / R; None is 1 on plane faces and no such size in space

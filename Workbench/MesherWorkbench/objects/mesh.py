@@ -8,7 +8,7 @@ _MEASURES = ["q2", "q1", "q3", "q4", "q5", "q6", "q7", "q8"]  # the first one is
 _PROPERTIES = (
     ("App::PropertyLinkGlobal", "Part", "FEM Mesh", "Object whose exact shape is meshed", None),
     ("App::PropertyLinkSubListGlobal", "References", "FEM Mesh", "Faces to mesh; without any, the whole part", None),
-    ("App::PropertyLength", "CharacteristicLengthMax", "FEM Mesh", "Largest size of elements; 0 is no limit", 0.0),
+    ("App::PropertyLength", "CharacteristicLengthMax", "FEM Mesh", "Mean edge on surfaces where nothing asks for less; 0 is no limit", 0.0),
     ("App::PropertyLength", "CharacteristicLengthMin", "FEM Mesh", "Smallest size of elements; 0 is no limit", 0.0),
     ("App::PropertyEnumeration", "ElementDimension", "FEM Mesh", "Faces or solids", _DIMENSIONS),
     ("App::PropertyEnumeration", "ElementOrder", "FEM Mesh", "Order of the elements", _ORDERS),
