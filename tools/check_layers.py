@@ -22,8 +22,8 @@ FOREIGN_HEADERS = {
     "surface_sampling": re.compile(r"oneapi/tbb/.+\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
     "brep/occt": re.compile(r".+\.hxx|fcntl\.h|sys/wait\.h|unistd\.h"),
-    "cli": re.compile(r"boost/program_options\.hpp|unistd\.h"),
-    "io": re.compile(r"fcntl\.h|sys/stat\.h|unistd\.h|zlib\.h"),
+    "cli": re.compile(r"boost/program_options\.hpp|fcntl\.h|unistd\.h"),
+    "io": re.compile(r"fcntl\.h|poll\.h|sys/stat\.h|unistd\.h|zlib\.h"),
     "pipeline": re.compile(r"nlohmann/json\.hpp"),
 }
 # Folders that hang off their layer: the layers beside themselves that may include them. A layer does not know its adapters, so

@@ -72,11 +72,14 @@ py::array nodeColumn(const SharedMesh& mesh, Member member)
     return columnOf(&(first.entity.*member), mesh->nodes.size(), sizeof(MeshNode), mesh);
 }
 
-void writeTo(const SharedMesh& mesh, const std::filesystem::path& path, const std::string& format)
+void writeTo(const SharedMesh& mesh, const std::filesystem::path& path, const std::string& format,
+             const std::string& groups)
 {
+    const std::optional<GroupChoice> choice = groupChoiceOf(groups);
+    if (!choice) throw py::value_error("groups is 'bounding' or 'all', not '" + groups + "'");
     const Result<void> written = [&] {
         const py::gil_scoped_release released;
-        return writeMesh(*mesh, path, format);
+        return writeMesh(*mesh, path, format, {*choice});
     }();
     if (!written) raise("WriteError", written.error());
 }
@@ -114,7 +117,7 @@ void bindMesh(py::module_& module)
         .def_property_readonly("unit", [](const SharedMesh& mesh) { return mesh->unit; })
         .def_property_readonly("hash", [](const SharedMesh& mesh) { return classifiedMeshHash(*mesh); })
         .def("check", &problemsOf)
-        .def("write", &writeTo, py::arg("path"), py::arg("format") = "");
+        .def("write", &writeTo, py::arg("path"), py::arg("format") = "", py::arg("groups") = "bounding");
 }
 
 }  // namespace mesher::python

@@ -73,9 +73,13 @@ po::options_description outputOptions()
     add("output,o", po::value<Texts>()->composing(), "file to write; may be repeated");
     add("format", po::value<Texts>()->composing(),
         "of the first, second, … output; else that of its extension");
+    add("groups", po::value<std::string>(),
+        "in .msh and .unv: bounding for solids and faces (of faces: faces and edges), or all for edges and "
+        "vertices too "
+        "(default bounding)");
     add("report", po::value<std::string>(), "JSON file that tells what was done");
     add("curved-boundary", po::value<std::string>(),
-        "JSON file with Gauss points on the exact boundary curves");
+        "JSON file with Gauss points on the exact boundary curves of plane faces");
     add("boundary-order", po::value<std::string>(), "order of accuracy they are for, 2 to 4 (default 4)");
     add("check", po::bool_switch(), "check the mesh as a whole before it is written");
     add("keep-partial", po::bool_switch(), "write what there is of a mesh when the run ends early or fails");
@@ -134,6 +138,15 @@ void readOutputs(OptionReader& reader, MeshCommand& command)
     for (std::size_t i = 0; i < paths.size(); ++i) {
         command.outputs.push_back({paths[i], i < formats.size() ? formats[i] : std::string()});
     }
+}
+
+void readGroups(OptionReader& reader, WriteOptions& writing)
+{
+    std::string name = "bounding";
+    reader.read("groups", name);
+    const std::optional<GroupChoice> groups = groupChoiceOf(name);
+    if (!groups) reader.fail(usageError("--groups is bounding or all, not '" + name + "'"));
+    writing.groups = groups.value_or(GroupChoice::Bounding);
 }
 
 Error namedTwice(const std::filesystem::path& path)
@@ -228,11 +241,16 @@ Result<MeshCommand> parseMeshCommand(std::span<const std::string> arguments)
     OptionReader reader(found.value());
     MeshCommand command = modelAndOptions(reader);
     readOutputs(reader, command);
+    readGroups(reader, command.writing);
     command.report = reader.path("report");
     command.curvedBoundary = reader.path("curved-boundary");
     reader.read("boundary-order", command.boundaryOrder);
     if (command.boundaryOrder < 2 || command.boundaryOrder > 4) {
         reader.fail(usageError("--boundary-order is 2, 3 or 4"));
+    }
+    if (command.curvedBoundary && command.options.dimension == 3) {
+        reader.fail(usageError("--curved-boundary is of plane faces, not of solids",
+                               "leave it out, or mesh plane faces with --dimension 2"));
     }
     command.options.isChecked = reader.isSet("check");
     command.keepsPartial = reader.isSet("keep-partial");

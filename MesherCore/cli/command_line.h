@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "io/draw_png.h"
+#include "io/write_options.h"
 #include "pipeline/mesh_options.h"
 
 #include <filesystem>
@@ -26,6 +27,7 @@ struct MeshCommand
     std::optional<std::filesystem::path> report;
     std::optional<std::filesystem::path> curvedBoundary;
     int boundaryOrder = 4;
+    WriteOptions writing;
     bool keepsPartial = false;
     bool heals = false;
     MeshOptions options;

@@ -1,30 +1,59 @@
 #include "cli/interrupt.h"
 
 #include "cli/exit_status.h"
+#include "io/file_target.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <string_view>
+#include <utility>
 
 namespace mesher {
 
 namespace {
 
+using Phase = InterruptScope::Phase;
+
+/// A file that is written in the handler: names and text are made before, since nothing may be allocated there.
+struct LastWords
+{
+    std::string target;
+    std::string temporary;
+    std::string text;
+};
+
 // A signal handler has nothing but globals to go by.
 std::atomic<RunContext*> activeContext = nullptr;
-std::atomic<bool> endsAtOnce = true;
+std::atomic<Phase> activePhase = Phase::Immediate;
+std::atomic<const LastWords*> lastWords = nullptr;
 
-static_assert(std::atomic<RunContext*>::is_always_lock_free);
+static_assert(std::atomic<RunContext*>::is_always_lock_free && std::atomic<Phase>::is_always_lock_free);
+
+void writeLastWords(const LastWords& words)
+{
+    const int descriptor = open(words.temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) return;
+    const auto size = static_cast<ssize_t>(words.text.size());
+    const bool isWhole = ::write(descriptor, words.text.data(), words.text.size()) == size;
+    close(descriptor);
+    if (!isWhole || rename(words.temporary.c_str(), words.target.c_str()) != 0)
+        unlink(words.temporary.c_str());
+}
 
 extern "C" void onSignal(int)
 {
+    const Phase phase = activePhase.load();
+    if (phase == Phase::Ending) return;
     RunContext* context = activeContext.load();
-    if (context != nullptr && !endsAtOnce.exchange(true)) {
+    if (context != nullptr && phase == Phase::Cooperative && !context->isCancelled()) {
         context->requestCancel();
         return;
     }
+    if (const LastWords* words = lastWords.load()) writeLastWords(*words);
     constexpr std::string_view message = "\nmesher: cancelled\n";
     static_cast<void>(!::write(STDERR_FILENO, message.data(), message.size()));
     _exit(static_cast<int>(ExitStatus::Cancelled));
@@ -44,9 +73,19 @@ InterruptScope::~InterruptScope()
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
     activeContext.store(nullptr);
-    endsAtOnce.store(true);
+    activePhase.store(Phase::Immediate);
+    delete lastWords.exchange(nullptr);
 }
 
-void InterruptScope::enter(Phase phase) { endsAtOnce.store(phase == Phase::Immediate); }
+void InterruptScope::enter(Phase phase) { activePhase.store(phase); }
+
+void InterruptScope::leaveBehind(const std::filesystem::path& target, std::string text)
+{
+    std::filesystem::path end = target;
+    bool isDirect = false;
+    if (findObstacle(end, isDirect) || isDirect) return;
+    const std::string temporary = (folderOf(end) / (".partial-" + std::to_string(getpid()))).string();
+    delete lastWords.exchange(new LastWords{end.string(), temporary, std::move(text)});
+}
 
 }  // namespace mesher

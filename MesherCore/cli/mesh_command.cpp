@@ -1,7 +1,9 @@
+#include "base/assert.h"
 #include "brep/occt/read_model.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/wishes.h"
 #include "io/mesh_writer.h"
 #include "io/read_size_fields.h"
 #include "io/write_curved_boundary.h"
@@ -9,7 +11,9 @@
 #include "pipeline/mesh_model.h"
 #include "pipeline/stage_watch.h"
 
+#include <algorithm>
 #include <iomanip>
+#include <new>
 #include <optional>
 
 namespace mesher {
@@ -35,7 +39,9 @@ public:
     ExitStatus run()
     {
         if (const std::optional<ExitStatus> refused = probeTargets()) return *refused;
-        const bool isDone = readSizes() && readModelFile() && mesh() && writeOutputs();
+        if (command_.report) interrupt_.leaveBehind(*command_.report, reportOfCancelled());
+        const bool isDone = work();
+        interrupt_.enter(InterruptScope::Phase::Ending);
         progress_.clear();
         finishStatus();
         writeReport();
@@ -55,6 +61,28 @@ private:
             return true;
         };
         return settings;
+    }
+
+    /// A run that memory does not suffice for is told like others.
+    bool work()
+    {
+        try {
+            return readSizes() && readModelFile() && canBeWritten() && mesh() && writeOutputs();
+        } catch (const std::bad_alloc&) {
+            mesh_.reset();
+            boundary_.reset();
+            model_ = {};
+            fail(outOfMemory());
+            return false;
+        }
+    }
+
+    std::string reportOfCancelled() const
+    {
+        MeshReport report = report_;
+        report.status = MeshReport::Status::Cancelled;
+        report.stopReason = StopReason::Cancelled;
+        return toJson(report);
     }
 
     void fail(Error error)
@@ -139,35 +167,57 @@ private:
         report_ = std::move(report);
     }
 
+    bool canBeWritten() { return !failIf(checkWishes(command_, model_)); }
+
+    /// All files or none: they appear when each has been written as a whole.
     bool writeOutputs()
     {
         const StageWatch watch;
+        std::vector<AtomicFile> files;
         for (const OutputTarget& output : command_.outputs) {
-            if (!context_.reportProgress("writing", 0.0)) {
-                report_.status = MeshReport::Status::Cancelled;
-                report_.stopReason = StopReason::Cancelled;
+            if (!context_.reportProgress("writing", 0.0)) return cancelled();
+            if (!keep(prepareMesh(*mesh_, output.path, output.format, command_.writing,
+                                  [this] { return !context_.isCancelled(); }),
+                      files))
                 return false;
-            }
-            if (failIf(writeMesh(*mesh_, output.path, output.format))) return false;
         }
-        if (command_.curvedBoundary && failIf(writeBoundary())) return false;
+        MESHER_INVARIANT(!command_.curvedBoundary || boundary_);
+        if (command_.curvedBoundary &&
+            !keep(prepareCurvedBoundary(*boundary_, *command_.curvedBoundary), files))
+            return false;
+        if (!context_.reportProgress("writing", 1.0)) return cancelled();
+        // From here on a signal comes too late; a pipe that is not read must still be left.
+        const bool isDirect =
+            std::any_of(files.begin(), files.end(), [](const auto& f) { return f.isDirect(); });
+        if (!isDirect) interrupt_.enter(InterruptScope::Phase::Ending);
+        if (failIf(publishAll(files))) return false;
+        arePublished_ = true;
         watch.addTo(report_, "writing");
         return true;
     }
 
-    Result<void> writeBoundary() const
+    bool keep(Result<AtomicFile> file, std::vector<AtomicFile>& files)
     {
-        if (boundary_) return writeCurvedBoundary(*boundary_, *command_.curvedBoundary);
-        return Error{ErrorCode::InvalidArgument,
-                     "is written of plane meshes only",
-                     "--curved-boundary",
-                     {},
-                     "leave the option out"};
+        if (context_.isCancelled()) return cancelled();
+        if (!file) {
+            fail(file.error());
+            return false;
+        }
+        files.push_back(std::move(file).value());
+        return true;
     }
 
+    bool cancelled()
+    {
+        report_.status = MeshReport::Status::Cancelled;
+        report_.stopReason = StopReason::Cancelled;
+        return false;
+    }
+
+    /// A signal that comes when the files are there changes nothing any more.
     void finishStatus()
     {
-        if (context_.isCancelled()) report_.status = MeshReport::Status::Cancelled;
+        if (context_.isCancelled() && !arePublished_) cancelled();
         status_ = report_.status == MeshReport::Status::Done        ? ExitStatus::Done
                   : report_.status == MeshReport::Status::Cancelled ? ExitStatus::Cancelled
                                                                     : ExitStatus::Failed;
@@ -218,6 +268,7 @@ private:
     std::shared_ptr<const SizingField> fileSizes_;
     std::optional<ClassifiedMesh> mesh_;
     std::optional<CurvedBoundary> boundary_;
+    bool arePublished_ = false;
     ExitStatus status_ = ExitStatus::Done;
 };
 

@@ -66,6 +66,15 @@ Error inModel(Error error, const std::filesystem::path& model)
     return error;
 }
 
+Error outOfMemory()
+{
+    return {ErrorCode::OutOfRange,
+            "the memory does not suffice",
+            {},
+            {},
+            "choose a larger --size or a machine with more memory"};
+}
+
 ExitStatus tell(const Error& error, ExitStatus status, Console console)
 {
     console.err << "mesher: " << describe(error) << '\n';
@@ -77,12 +86,7 @@ ExitStatus runMesher(std::span<const std::string> arguments, Console console)
     try {
         return dispatch(arguments, console);
     } catch (const std::bad_alloc&) {
-        const Error error = {ErrorCode::OutOfRange,
-                             "the memory does not suffice",
-                             {},
-                             {},
-                             "choose a larger --size or a machine with more memory"};
-        return tell(error, ExitStatus::Failed, console);
+        return tell(outOfMemory(), ExitStatus::Failed, console);
     }
 }
 

@@ -1,13 +1,17 @@
 #include "io/atomic_file.h"
 
+#include "io/file_target.h"
+
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
-#include <optional>
-#include <system_error>
+#include <string>
 #include <utility>
 
 namespace mesher {
@@ -16,96 +20,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string remedyFor(int code)
+/// A name beside a file that no other program takes.
+fs::path nameBeside(const fs::path& folder, int attempt)
 {
-    switch (code) {
-        case ENOSPC:
-        case EDQUOT: return "free some space or write to another disk";
-        case EFBIG: return "raise the limit on the size of files or write a smaller mesh";
-        case EACCES:
-        case EPERM: return "choose a place that you may write to";
-        case EROFS: return "choose a disk that is not read-only";
-        case ENOENT: return "make the folder first";
-        case EISDIR: return "give a file name, not a folder";
-        default: return "choose another place";
-    }
+    return folder / (".partial-" + std::to_string(getpid()) + "-" + std::to_string(attempt));
 }
 
-Error unwritable(const fs::path& target, const std::string& message, int code)
-{
-    return {ErrorCode::Unwritable, message, target.string(), {}, remedyFor(code)};
-}
-
-Error unwritable(const fs::path& target, const char* doing, int code)
-{
-    return unwritable(target, std::string(doing) + ": " + std::generic_category().message(code), code);
-}
-
-/// What stands in the way of writing to the target, as far as can be told beforehand; `target` becomes what a link points to.
-std::optional<Error> findObstacle(fs::path& target, bool& isDirect)
-{
-    isDirect = false;
-    if (target.empty()) return unwritable(target, std::string("the name of the file is empty"), EISDIR);
-    std::error_code code;
-    if (fs::is_symlink(target, code)) {
-        const fs::path resolved = fs::weakly_canonical(target, code);
-        if (code) return unwritable(target, "the link cannot be followed", code.value());
-        target = resolved;
-    }
-    const fs::file_status status = fs::status(target, code);
-    if (fs::is_directory(status) || !target.has_filename()) {
-        return unwritable(target, std::string("is a folder"), EISDIR);
-    }
-    if (fs::exists(status)) {
-        if (access(target.c_str(), W_OK) != 0) return unwritable(target, "cannot be written", errno);
-        isDirect = !fs::is_regular_file(status);
-        if (isDirect) return std::nullopt;
-    }
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::exists(folder, code)) {
-        return unwritable(target, "the folder " + folder.string() + " does not exist", ENOENT);
-    }
-    if (!fs::is_directory(folder, code))
-        return unwritable(target, folder.string() + " is not a folder", ENOTDIR);
-    if (access(folder.c_str(), W_OK | X_OK) != 0) {
-        return unwritable(target, "the folder cannot be written", errno);
-    }
-    return std::nullopt;
-}
-
-/// The permissions of the file that is replaced, else what the user's mask leaves of a new file.
-mode_t permissionsFor(const fs::path& target)
-{
-    struct stat existing
-    {
-    };
-    if (stat(target.c_str(), &existing) == 0) return existing.st_mode & 0777u;
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666u & ~mask;
-}
-
-/// The new name of the file is lost in a power cut unless its folder is on the disk, too.
-void syncFolderOf(const fs::path& target)
-{
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    fsync(descriptor);
-    close(descriptor);
-}
+/// By which a file without a name is given one.
+std::string handleOf(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
 }  // namespace
-
-AtomicFile::AtomicFile(int descriptor, fs::path target, fs::path temporary)
-    : descriptor_(descriptor), target_(std::move(target)), temporary_(std::move(temporary))
-{
-}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)),
       target_(std::move(other.target_)),
-      temporary_(std::exchange(other.temporary_, {}))
+      temporary_(std::exchange(other.temporary_, {})),
+      isDirect_(other.isDirect_),
+      isPublished_(other.isPublished_),
+      isNew_(other.isNew_)
 {
 }
 
@@ -116,6 +48,9 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept
         descriptor_ = std::exchange(other.descriptor_, -1);
         target_ = std::move(other.target_);
         temporary_ = std::exchange(other.temporary_, {});
+        isDirect_ = other.isDirect_;
+        isPublished_ = other.isPublished_;
+        isNew_ = other.isNew_;
     }
     return *this;
 }
@@ -127,16 +62,28 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path)
     fs::path target = path;
     bool isDirect = false;
     if (auto obstacle = findObstacle(target, isDirect)) return *obstacle;
-    if (isDirect) {
-        const int descriptor = open(target.c_str(), O_WRONLY | O_CLOEXEC);
-        if (descriptor < 0) return unwritable(path, "cannot be opened", errno);
-        return AtomicFile(descriptor, target, {});
-    }
-    std::string temporary = target.string() + ".partial-XXXXXX";
+    // What a device or a pipe gets is collected first, so that it gets nothing of a run that fails.
+    std::error_code code;
+    const fs::path folder = isDirect ? fs::temp_directory_path(code) : folderOf(target);
+    Result<AtomicFile> file = createUnnamed(folder, target);
+    if (!file) return file;
+    file->isDirect_ = isDirect;
+    if (!isDirect && fchmod(file->descriptor_, permissionsFor(target)) != 0)
+        return file->fail("cannot be made");
+    return file;
+}
+
+/// Some disks know no files without names: there it has one from the beginning.
+Result<AtomicFile> AtomicFile::createUnnamed(const fs::path& folder, const fs::path& target)
+{
+    const bool canBeNamed = access("/proc/self/fd", X_OK) == 0;
+    const int unnamed = canBeNamed ? open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600) : -1;
+    if (unnamed >= 0) return AtomicFile(unnamed, target);
+    std::string temporary = (folder / ".partial-XXXXXX").string();
     const int descriptor = mkostemp(temporary.data(), O_CLOEXEC);
-    if (descriptor < 0) return unwritable(path, "cannot be made", errno);
-    AtomicFile file(descriptor, target, temporary);
-    if (fchmod(descriptor, permissionsFor(target)) != 0) return file.fail("cannot be made");
+    if (descriptor < 0) return unwritable(target, "cannot be made", errno);
+    AtomicFile file(descriptor, target);
+    file.temporary_ = temporary;
     return file;
 }
 
@@ -159,18 +106,107 @@ Result<void> AtomicFile::write(std::span<const char> bytes)
     return {};
 }
 
-Result<void> AtomicFile::commit()
+Result<void> AtomicFile::prepare()
 {
-    // Devices and pipes have nothing to synchronise and say so.
-    if (fsync(descriptor_) != 0 && !(temporary_.empty() && (errno == EINVAL || errno == EROFS))) {
-        return fail("cannot be written to the disk");
+    if (!isDirect_ && fsync(descriptor_) != 0) return fail("cannot be written to the disk");
+    return {};
+}
+
+Result<void> AtomicFile::publish()
+{
+    Result<void> published = isDirect_ ? copyToTarget() : giveName();
+    if (published && !isDirect_ && !isNew_) published = exchange();
+    isPublished_ = static_cast<bool>(published);
+    return published;
+}
+
+/// That of the target where there is nothing yet, else one beside it.
+Result<void> AtomicFile::giveName()
+{
+    constexpr int kMostAttempts = 1000;
+    if (!temporary_.empty()) return {};
+    const std::string handle = handleOf(descriptor_);
+    const auto link = [&](const fs::path& name) {
+        return linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    };
+    if (link(target_)) {
+        isNew_ = true;
+        return {};
     }
-    if (close(std::exchange(descriptor_, -1)) != 0) return fail("cannot be closed");
-    if (temporary_.empty()) return {};
+    for (int attempt = 0; errno == EEXIST && attempt < kMostAttempts; ++attempt) {
+        const fs::path name = nameBeside(folderOf(target_), attempt);
+        if (!link(name)) continue;
+        temporary_ = name;
+        return {};
+    }
+    return fail("cannot be made");
+}
+
+/// Afterwards the name beside the target has the old file, where the disk can do that.
+Result<void> AtomicFile::exchange()
+{
+    if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return {};
+    isNew_ = errno == ENOENT;
     if (rename(temporary_.c_str(), target_.c_str()) != 0) return fail("cannot be replaced");
     temporary_.clear();
-    syncFolderOf(target_);
     return {};
+}
+
+void AtomicFile::withdraw() noexcept
+{
+    if (!isPublished_ || isDirect_) return;
+    if (isNew_) {
+        unlink(target_.c_str());
+    } else if (!temporary_.empty()) {
+        rename(temporary_.c_str(), target_.c_str());
+        temporary_.clear();
+    }
+    discard();
+}
+
+void AtomicFile::finish() noexcept
+{
+    discard();
+    if (!isDirect_) syncFolderOf(target_);
+}
+
+Result<void> AtomicFile::commit()
+{
+    if (const Result<void> prepared = prepare(); !prepared) return prepared;
+    return publishAll({this, 1});
+}
+
+Result<void> AtomicFile::copyToTarget()
+{
+    // Opened this way, a pipe that nobody reads is an error instead of a wait for a reader.
+    const int pipe = open(target_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (pipe < 0) return fail(errno == ENXIO ? "is read by no program" : "cannot be opened");
+    const Result<void> sent = send(pipe);
+    if (::close(pipe) != 0 && sent) return fail("cannot be closed");
+    return sent;
+}
+
+Result<void> AtomicFile::send(int pipe)
+{
+    constexpr int kMostWait = 30'000;  // milliseconds in which a reader takes nothing
+    std::array<char, 1u << 16> block{};
+    for (off_t at = 0;;) {
+        const ssize_t size = pread(descriptor_, block.data(), block.size(), at);
+        if (size < 0) return fail("cannot be copied");
+        if (size == 0) return {};
+        for (ssize_t done = 0; done < size;) {
+            const ssize_t count = ::write(pipe, block.data() + done, static_cast<std::size_t>(size - done));
+            if (count >= 0) {
+                done += count;
+                continue;
+            }
+            if (errno != EAGAIN && errno != EINTR) return fail("cannot be written");
+            pollfd wait{pipe, POLLOUT, 0};
+            errno = ETIMEDOUT;
+            if (poll(&wait, 1, kMostWait) == 0) return fail("is not read");
+        }
+        at += size;
+    }
 }
 
 Error AtomicFile::fail(const char* doing)
@@ -182,11 +218,27 @@ Error AtomicFile::fail(const char* doing)
 
 void AtomicFile::discard() noexcept
 {
-    if (descriptor_ >= 0) close(std::exchange(descriptor_, -1));
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
     if (!temporary_.empty()) {
         unlink(temporary_.c_str());
         temporary_.clear();
     }
+}
+
+Result<void> publishAll(std::span<AtomicFile> files)
+{
+    // What cannot be taken back comes first: if it fails, nothing has been replaced.
+    for (const bool isDirect : {true, false}) {
+        for (AtomicFile& file : files) {
+            if (file.isDirect() != isDirect) continue;
+            const Result<void> published = file.publish();
+            if (published) continue;
+            for (AtomicFile& before : files) before.withdraw();
+            return published;
+        }
+    }
+    for (AtomicFile& file : files) file.finish();
+    return {};
 }
 
 }  // namespace mesher

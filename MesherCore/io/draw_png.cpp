@@ -136,7 +136,7 @@ Result<Image> drawMesh(const ClassifiedMesh& mesh, const DrawingOptions& options
     return normal ? PlaneDrawing(mesh, *normal, options).draw() : drawInSpace(mesh, options);
 }
 
-Result<void> writePng(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writePng(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
     const Result<Image> image = drawMesh(mesh);
     if (!image) return image.error();

@@ -17,6 +17,8 @@ void FileBuffer::append(std::span<const char> bytes)
 
 void FileBuffer::flush()
 {
+    if (state_ && mayGoOn_ && !mayGoOn_())
+        state_ = Error{ErrorCode::Unwritable, "the run ended before the file was whole", {}, {}, {}};
     if (state_) state_ = file_.write({buffer_.data(), size_});
     size_ = 0;
 }

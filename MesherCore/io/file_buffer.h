@@ -5,8 +5,10 @@
 #include <charconv>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace mesher {
@@ -16,7 +18,13 @@ namespace mesher {
 class FileBuffer
 {
 public:
-    explicit FileBuffer(AtomicFile& file) : file_(file), buffer_(kCapacity) {}
+    /// Asked now and then; false ends the writing with an error.
+    using Permission = std::function<bool()>;
+
+    explicit FileBuffer(AtomicFile& file, Permission mayGoOn = {})
+        : file_(file), mayGoOn_(std::move(mayGoOn)), buffer_(kCapacity)
+    {
+    }
     FileBuffer(const FileBuffer&) = delete;
     FileBuffer& operator=(const FileBuffer&) = delete;
 
@@ -64,6 +72,7 @@ private:
     void flush();
 
     AtomicFile& file_;
+    Permission mayGoOn_;
     std::vector<char> buffer_;
     std::size_t size_ = 0;
     Result<void> state_;

@@ -23,15 +23,11 @@ EntityRef ownEntity(const MeshElement<N>& element)
 
 }  // namespace
 
-GmshEntities::GmshEntities(const ClassifiedMesh& mesh)
+GmshEntities::GmshEntities(const ClassifiedMesh& mesh, GroupChoice groups)
+    : numbers_(mesh, groups), meshDimension_(dimensionOf(mesh))
 {
-    meshDimension_ = !mesh.tets.empty() ? 3 : (!mesh.triangles.empty() ? 2 : (!mesh.lines.empty() ? 1 : 0));
-    countEntities(mesh);
     for (const MeshNode& node : mesh.nodes) {
-        const EntityRef place = placeOf(node);
-        GmshEntity& entity = entities_[place.dimension][tagOf(place)];
-        entity.box.include(node.position);
-        entity.isNamed = place.index != EntityRef::kNone;
+        at(placeOf(node)).box.include(node.position);
     }
     include(mesh, mesh.points);
     include(mesh, mesh.lines);
@@ -42,9 +38,12 @@ GmshEntities::GmshEntities(const ClassifiedMesh& mesh)
     connectVolumes(mesh);
 }
 
-std::uint32_t GmshEntities::tagOf(EntityRef entity) const
+GmshEntity& GmshEntities::at(EntityRef entity)
 {
-    return entity.index == EntityRef::kNone ? entityCount_[entity.dimension] + 1 : entity.index + 1;
+    GmshEntity& found = entities_[entity.dimension][tagOf(entity)];
+    found.entity = entity;
+    found.group = numbers_.numberOf(entity);
+    return found;
 }
 
 EntityRef GmshEntities::placeOf(const MeshNode& node) const
@@ -52,26 +51,12 @@ EntityRef GmshEntities::placeOf(const MeshNode& node) const
     return node.entity.index == EntityRef::kNone ? EntityRef{meshDimension_, EntityRef::kNone} : node.entity;
 }
 
-void GmshEntities::countEntities(const ClassifiedMesh& mesh)
-{
-    const auto count = [&](EntityRef entity) {
-        if (entity.index == EntityRef::kNone) return;
-        entityCount_[entity.dimension] = std::max(entityCount_[entity.dimension], entity.index + 1);
-    };
-    for (const MeshNode& node : mesh.nodes) count(node.entity);
-    for (const auto& element : mesh.points) count(ownEntity(element));
-    for (const auto& element : mesh.lines) count(ownEntity(element));
-    for (const auto& element : mesh.triangles) count(ownEntity(element));
-    for (const auto& element : mesh.tets) count(ownEntity(element));
-}
-
 template <std::size_t N>
 void GmshEntities::include(const ClassifiedMesh& mesh, const std::vector<MeshElement<N>>& elements)
 {
     const EntityGroups grouped = groupByEntity(elements);
     for (const EntityGroup& group : grouped.groups) {
-        GmshEntity& entity = entities_[N - 1][tagOf(group.entity)];
-        entity.isNamed = group.isNamed();
+        GmshEntity& entity = at(group.entity);
         for (std::uint32_t i = group.first; i < group.last; ++i) {
             for (const NodeId node : elements[grouped.order[i]].node)
                 entity.box.include(mesh.nodes[node].position);

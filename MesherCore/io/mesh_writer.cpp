@@ -16,10 +16,10 @@ constexpr std::array kFormats = {
     MeshFormat{"vtu", ".vtu", "VTK XML unstructured grid with the entity of each cell", writeVtu},
     MeshFormat{"vtk", ".vtk", "legacy VTK, text", writeVtkText},
     MeshFormat{"vtk-binary", ".vtk", "legacy VTK, binary", writeVtkBinary},
-    MeshFormat{"su2", ".su2", "SU2 with a marker for each boundary edge or face", writeSu2},
-    MeshFormat{"stl", ".stl", "STL, text, one solid for each face", writeStlText},
-    MeshFormat{"stl-binary", ".stl", "STL, binary, single precision", writeStlBinary},
-    MeshFormat{"ply", ".ply", "PLY of the triangles, binary", writePly},
+    MeshFormat{"su2", ".su2", "SU2 with a marker for each boundary edge or face", writeSu2, true},
+    MeshFormat{"stl", ".stl", "STL of the outer triangles, text, one solid for each face", writeStlText},
+    MeshFormat{"stl-binary", ".stl", "STL of the outer triangles, binary, single precision", writeStlBinary},
+    MeshFormat{"ply", ".ply", "PLY of the outer triangles, text", writePly},
     MeshFormat{"inp", ".inp", "Abaqus and CalculiX with node, element and surface sets", writeAbaqusInp},
     MeshFormat{"unv", ".unv", "I-DEAS universal file with groups", writeUnv},
     MeshFormat{"png", ".png", "picture of the mesh", writePng},
@@ -61,20 +61,30 @@ Result<const MeshFormat*> findFormat(const std::filesystem::path& path, std::str
     return Error{ErrorCode::InvalidArgument, what, path.string(), {}, knownFormats()};
 }
 
-Result<void> writeMesh(const ClassifiedMesh& mesh, const std::filesystem::path& path,
-                       std::string_view formatName)
+Result<AtomicFile> prepareMesh(const ClassifiedMesh& mesh, const std::filesystem::path& path,
+                               std::string_view formatName, const WriteOptions& options,
+                               FileBuffer::Permission mayGoOn)
 {
     const Result<const MeshFormat*> format = findFormat(path, formatName);
     if (!format) return format.error();
     Result<AtomicFile> file = AtomicFile::create(path);
     if (!file) return file.error();
-    FileBuffer out(*file);
-    if (const Result<void> written = format.value()->write(mesh, out); !written) {
+    FileBuffer out(*file, std::move(mayGoOn));
+    if (const Result<void> written = format.value()->write(mesh, out, options); !written) {
         Error error = written.error();
         if (error.entity.empty()) error.entity = path.string();
         return error;
     }
     if (const Result<void> finished = out.finish(); !finished) return finished.error();
+    if (const Result<void> prepared = file->prepare(); !prepared) return prepared.error();
+    return file;
+}
+
+Result<void> writeMesh(const ClassifiedMesh& mesh, const std::filesystem::path& path,
+                       std::string_view formatName, const WriteOptions& options)
+{
+    Result<AtomicFile> file = prepareMesh(mesh, path, formatName, options);
+    if (!file) return file.error();
     return file->commit();
 }
 

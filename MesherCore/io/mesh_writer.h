@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "io/file_buffer.h"
+#include "io/write_options.h"
 #include "mesh/classified_mesh.h"
 
 #include <filesystem>
@@ -18,7 +19,8 @@ struct MeshFormat
     std::string_view extension;  ///< ".msh"; the first format of an extension is its default
     std::string_view description;
     /// Refuses, with a typed error, a mesh that the format cannot hold; errors of the file are told by the buffer.
-    Result<void> (*write)(const ClassifiedMesh& mesh, FileBuffer& out);
+    Result<void> (*write)(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions& options);
+    bool wantsLevelPlane = false;  ///< of a mesh of faces, all nodes have to be at one z
 };
 
 [[nodiscard]] std::span<const MeshFormat> meshFormats();
@@ -27,12 +29,18 @@ struct MeshFormat
 [[nodiscard]] Result<const MeshFormat*> findFormat(const std::filesystem::path& path,
                                                    std::string_view name = {});
 
-/// Writes the mesh to the path.
-/// Guarantees   coordinates in model units that read back as the same doubles (binary STL has single precision by its nature);
-///              the file appears complete or not at all (AtomicFile)
+/// Writes the mesh into a file that is still to be published, so that several can appear together.
+/// Guarantees   coordinates in model units that read back as the same doubles, but for binary STL, which has single precision by
+///              its nature, and for what does not fit the 20 characters of a number in INP: that loses least
 /// Refuses      an unknown format (InvalidArgument), a mesh that the format cannot hold, a target that cannot be written
+[[nodiscard]] Result<AtomicFile> prepareMesh(const ClassifiedMesh& mesh, const std::filesystem::path& path,
+                                             std::string_view formatName = {},
+                                             const WriteOptions& options = {},
+                                             FileBuffer::Permission mayGoOn = {});
+
+/// The same in one step: the file appears complete or not at all (AtomicFile).
 [[nodiscard]] Result<void> writeMesh(const ClassifiedMesh& mesh, const std::filesystem::path& path,
-                                     std::string_view formatName = {});
+                                     std::string_view formatName = {}, const WriteOptions& options = {});
 
 /// Whether writeMesh could open this target in this format; changes nothing.
 [[nodiscard]] Result<void> probeMeshTarget(const std::filesystem::path& path,

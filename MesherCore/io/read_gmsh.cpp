@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -70,6 +71,7 @@ private:
     void readSection(std::string_view name);
     void readPhysicalNames();
     void readEntities();
+    void findTagsBefore();
     void readNodes22();
     void readNodes41();
     void readElements22();
@@ -92,6 +94,8 @@ private:
     bool hasElements_ = false;
     std::map<DimensionAndTag, std::string, std::less<>> groupName_;
     std::map<DimensionAndTag, std::vector<std::int64_t>> entityGroups_;
+    /// What tags of this dimension count on from, where one numbering goes through all dimensions.
+    std::array<std::int64_t, 4> tagsBefore_{};
     /// Whether the groups of this dimension are named after entities.
     std::array<bool, 4> hasEntityNames_{};
     std::vector<std::pair<std::int64_t, MeshNode>> taggedNodes_;
@@ -187,6 +191,23 @@ void GmshReader::readEntities()
             for (std::size_t k = 0; k < sideCount && !in_.failed(); ++k) static_cast<void>(in_.integer());
         }
     }
+    findTagsBefore();
+}
+
+/// Where groups of solids or faces are named after them, and edges and vertices have tags beyond all of theirs, the tags tell
+/// which edge or vertex it is by counting on.
+void GmshReader::findTagsBefore()
+{
+    std::int64_t largest = 0;
+    bool isNamed = false;
+    for (std::uint8_t dimension = 4; dimension-- > 0;) {
+        const auto first = entityGroups_.lower_bound({dimension, -kLargestTag});
+        const auto last = entityGroups_.lower_bound({static_cast<std::uint8_t>(dimension + 1), -kLargestTag});
+        if (first == last) continue;
+        if (isNamed && first->first.second > largest) tagsBefore_[dimension] = largest;
+        largest = std::max(largest, std::prev(last)->first.second);
+        isNamed = isNamed || hasEntityNames_[dimension];
+    }
 }
 
 /// The entity by the first group that is named after one; by the tag if the file does not name groups so.
@@ -199,7 +220,7 @@ EntityRef GmshReader::entityOf(std::uint8_t dimension, std::int64_t tag,
         if (const auto index = indexInName(name->second, dimension)) return {dimension, *index};
     }
     if (hasEntityNames_[dimension] || tag <= 0) return {dimension, EntityRef::kNone};
-    return {dimension, static_cast<std::uint32_t>(tag - 1)};
+    return {dimension, static_cast<std::uint32_t>(tag - tagsBefore_[dimension] - 1)};
 }
 
 EntityRef GmshReader::entityOfBlock(std::uint8_t dimension, std::int64_t tag) const
@@ -428,13 +449,24 @@ void GmshReader::attachFields()
     }
 }
 
-/// Format 2.2 does not say where a node lies: on the entity of the element of the lowest dimension that has it.
+/// Format 2.2 does not say where a node lies: on the entity of the element of the lowest dimension that has it. Where these are
+/// of several entities, the node lies on what is between them, which has no elements in the file and so no name.
 void GmshReader::classifyNodesByElements()
 {
     ClassifiedMesh& mesh = file_.mesh;
+    std::vector<std::uint8_t> level(mesh.nodes.size(), 4);  // dimension of the elements that told last
     const auto classify = [&](const auto& elements) {
         for (const auto& element : elements) {
-            for (const NodeId id : element.node) mesh.nodes[id].entity = element.entity;
+            const auto dimension = static_cast<std::uint8_t>(element.node.size() - 1);
+            for (const NodeId id : element.node) {
+                EntityRef& entity = mesh.nodes[id].entity;
+                const bool isFirst = std::exchange(level[id.value], dimension) != dimension;
+                if (isFirst) {
+                    entity = element.entity;
+                } else if (entity != element.entity && dimension > 0) {
+                    entity = {static_cast<std::uint8_t>(dimension - 1), EntityRef::kNone};
+                }
+            }
         }
     };
     classify(mesh.tets);

@@ -1,12 +1,16 @@
 #include "io/element_sides.h"
 #include "io/entity_groups.h"
 #include "io/format_writers.h"
+#include "io/short_number.h"
 
 #include <algorithm>
 
 namespace mesher {
 
 namespace {
+
+/// CalculiX reads this much of a number and leaves out the rest, be it an exponent.
+constexpr std::size_t kLongestNumber = 20;
 
 /// The solver's number of the side opposite to each corner of a C3D4.
 constexpr std::array<int, 4> kTetSideLabel = {3, 4, 2, 1};
@@ -91,7 +95,7 @@ bool isInPlaneZ0(const ClassifiedMesh& mesh)
 }  // namespace
 
 /// Elements of the highest dimension only: solid elements, plane stress elements where the mesh lies in z = 0, else shells.
-Result<void> writeAbaqusInp(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeAbaqusInp(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
     if (mesh.tets.empty() && mesh.triangles.empty()) {
         return Error{ErrorCode::InvalidArgument,
@@ -103,7 +107,9 @@ Result<void> writeAbaqusInp(const ClassifiedMesh& mesh, FileBuffer& out)
     out << "*HEADING\nmesh, unit " << mesh.unit << "\n*NODE, NSET=Nall\n";
     for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) {
         const Vec3& p = mesh.nodes[NodeId(i)].position;
-        out << i + 1 << ", " << p.x << ", " << p.y << ", " << p.z << '\n';
+        out << i + 1;
+        for (const double coordinate : {p.x, p.y, p.z}) out << ',' << shortNumber(coordinate, kLongestNumber);
+        out << '\n';
     }
     const bool isPlane = isInPlaneZ0(mesh);
     if (!mesh.tets.empty()) {

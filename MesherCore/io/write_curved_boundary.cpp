@@ -39,7 +39,7 @@ void writeEdge(const CurvedBoundaryEdge& edge, FileBuffer& out)
 
 }  // namespace
 
-Result<void> writeCurvedBoundary(const CurvedBoundary& boundary, const std::filesystem::path& path)
+Result<AtomicFile> prepareCurvedBoundary(const CurvedBoundary& boundary, const std::filesystem::path& path)
 {
     Result<AtomicFile> file = AtomicFile::create(path);
     if (!file) return file.error();
@@ -54,7 +54,8 @@ Result<void> writeCurvedBoundary(const CurvedBoundary& boundary, const std::file
     }
     out << "\n]}\n";
     if (const Result<void> finished = out.finish(); !finished) return finished.error();
-    return file->commit();
+    if (const Result<void> prepared = file->prepare(); !prepared) return prepared.error();
+    return file;
 }
 
 }  // namespace mesher

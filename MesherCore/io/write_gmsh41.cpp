@@ -17,8 +17,8 @@ void writeEntity(std::size_t dimension, std::uint32_t tag, const GmshEntity& ent
         out << ' ';
         writePoint(entity.box.high, out);
     }
-    if (entity.isNamed) {
-        out << " 1 " << tag;
+    if (entity.group != 0) {
+        out << " 1 " << entity.group;
     } else {
         out << " 0";
     }
@@ -39,68 +39,98 @@ void writeEntities(const GmshEntities& entities, FileBuffer& out)
     out << "$EndEntities\n";
 }
 
-void writeNodes(const ClassifiedMesh& mesh, const GmshEntities& entities, FileBuffer& out)
+/// A mesh in the format: blocks of nodes and elements by entity. Nodes are numbered in the order of their blocks, since some
+/// readers take the first node of the file for number 1.
+class Gmsh41Writer
 {
-    const EntityGroups grouped(mesh.nodes.size(),
-                               [&](std::uint32_t i) { return entities.placeOf(mesh.nodes[NodeId(i)]); });
-    const std::size_t count = mesh.nodes.size();
-    out << "$Nodes\n"
-        << grouped.groups.size() << ' ' << count << ' ' << (count > 0 ? 1 : 0) << ' ' << count << '\n';
-    for (const EntityGroup& group : grouped.groups) {
-        out << group.entity.dimension << ' ' << entities.tagOf(group.entity) << " 0 " << group.size() << '\n';
-        for (std::uint32_t i = group.first; i < group.last; ++i) out << grouped.order[i] + 1 << '\n';
-        for (std::uint32_t i = group.first; i < group.last; ++i) {
-            writePoint(mesh.nodes[NodeId(grouped.order[i])].position, out);
-            out << '\n';
+public:
+    Gmsh41Writer(const ClassifiedMesh& mesh, GroupChoice groups, FileBuffer& out)
+        : mesh_(mesh),
+          entities_(mesh, groups),
+          nodes_(mesh.nodes.size(),
+                 [this](std::uint32_t i) { return entities_.placeOf(mesh_.nodes[NodeId(i)]); }),
+          tagOf_(mesh.nodes.size()),
+          out_(out)
+    {
+        for (std::uint32_t i = 0; i < nodes_.order.size(); ++i) tagOf_[NodeId(nodes_.order[i])] = i + 1;
+    }
+
+    void write()
+    {
+        out_ << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+        writePhysicalNames(entities_, out_);
+        writeEntities(entities_, out_);
+        writeNodes();
+        const Blocks blocks = {blocksOf(mesh_.points), blocksOf(mesh_.lines), blocksOf(mesh_.triangles),
+                               blocksOf(mesh_.tets)};
+        std::size_t blockCount = 0, count = 0;
+        for (const EntityGroups& grouped : blocks) {
+            blockCount += grouped.groups.size();
+            count += grouped.order.size();
+        }
+        out_ << "$Elements\n"
+             << blockCount << ' ' << count << ' ' << (count > 0 ? 1 : 0) << ' ' << count << '\n';
+        writeBlocks(mesh_.points, blocks[0]);
+        writeBlocks(mesh_.lines, blocks[1]);
+        writeBlocks(mesh_.triangles, blocks[2]);
+        writeBlocks(mesh_.tets, blocks[3]);
+        out_ << "$EndElements\n";
+    }
+
+private:
+    using Blocks = std::array<EntityGroups, 4>;
+
+    void writeNodes()
+    {
+        const std::size_t count = mesh_.nodes.size();
+        out_ << "$Nodes\n"
+             << nodes_.groups.size() << ' ' << count << ' ' << (count > 0 ? 1 : 0) << ' ' << count << '\n';
+        for (const EntityGroup& group : nodes_.groups) {
+            out_ << group.entity.dimension << ' ' << entities_.tagOf(group.entity) << " 0 " << group.size()
+                 << '\n';
+            for (std::uint32_t i = group.first; i < group.last; ++i) out_ << i + 1 << '\n';
+            for (std::uint32_t i = group.first; i < group.last; ++i) {
+                writePoint(mesh_.nodes[NodeId(nodes_.order[i])].position, out_);
+                out_ << '\n';
+            }
+        }
+        out_ << "$EndNodes\n";
+    }
+
+    template <std::size_t N>
+    [[nodiscard]] EntityGroups blocksOf(const std::vector<MeshElement<N>>& elements) const
+    {
+        return entities_.hasElements(N - 1) ? groupByEntity(elements)
+                                            : groupByEntity(std::vector<MeshElement<N>>());
+    }
+
+    template <std::size_t N>
+    void writeBlocks(const std::vector<MeshElement<N>>& elements, const EntityGroups& grouped)
+    {
+        for (const EntityGroup& group : grouped.groups) {
+            out_ << N - 1 << ' ' << entities_.tagOf(group.entity) << ' ' << kGmshElementType[N - 1] << ' '
+                 << group.size() << '\n';
+            for (std::uint32_t i = group.first; i < group.last; ++i) {
+                out_ << nextElement_++;
+                for (const NodeId node : elements[grouped.order[i]].node) out_ << ' ' << tagOf_[node];
+                out_ << '\n';
+            }
         }
     }
-    out << "$EndNodes\n";
-}
 
-template <std::size_t N>
-void writeBlocks(const std::vector<MeshElement<N>>& elements, const EntityGroups& grouped,
-                 const GmshEntities& entities, std::size_t& nextTag, FileBuffer& out)
-{
-    for (const EntityGroup& group : grouped.groups) {
-        out << N - 1 << ' ' << entities.tagOf(group.entity) << ' ' << kGmshElementType[N - 1] << ' '
-            << group.size() << '\n';
-        for (std::uint32_t i = group.first; i < group.last; ++i) {
-            out << nextTag++;
-            for (const NodeId node : elements[grouped.order[i]].node) out << ' ' << node.value + 1;
-            out << '\n';
-        }
-    }
-}
-
-void writeElements(const ClassifiedMesh& mesh, const GmshEntities& entities, FileBuffer& out)
-{
-    const EntityGroups points = groupByEntity(mesh.points);
-    const EntityGroups lines = groupByEntity(mesh.lines);
-    const EntityGroups triangles = groupByEntity(mesh.triangles);
-    const EntityGroups tets = groupByEntity(mesh.tets);
-    const std::size_t blocks =
-        points.groups.size() + lines.groups.size() + triangles.groups.size() + tets.groups.size();
-    const std::size_t count =
-        mesh.points.size() + mesh.lines.size() + mesh.triangles.size() + mesh.tets.size();
-    out << "$Elements\n" << blocks << ' ' << count << ' ' << (count > 0 ? 1 : 0) << ' ' << count << '\n';
-    std::size_t nextTag = 1;
-    writeBlocks(mesh.points, points, entities, nextTag, out);
-    writeBlocks(mesh.lines, lines, entities, nextTag, out);
-    writeBlocks(mesh.triangles, triangles, entities, nextTag, out);
-    writeBlocks(mesh.tets, tets, entities, nextTag, out);
-    out << "$EndElements\n";
-}
+    const ClassifiedMesh& mesh_;
+    GmshEntities entities_;
+    EntityGroups nodes_;
+    IdVector<NodeId, std::uint32_t> tagOf_;
+    FileBuffer& out_;
+    std::size_t nextElement_ = 1;
+};
 
 }  // namespace
 
-Result<void> writeGmsh41(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeGmsh41(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions& options)
 {
-    const GmshEntities entities(mesh);
-    out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-    writePhysicalNames(entities, out);
-    writeEntities(entities, out);
-    writeNodes(mesh, entities, out);
-    writeElements(mesh, entities, out);
+    Gmsh41Writer(mesh, options.groups, out).write();
     return {};
 }
 

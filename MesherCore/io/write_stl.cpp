@@ -1,5 +1,6 @@
 #include "io/entity_groups.h"
 #include "io/format_writers.h"
+#include "io/outer_triangles.h"
 #include "quality/quality_statistics.h"
 
 #include <array>
@@ -17,9 +18,9 @@ Vec3 unitNormal(const TriangleCorners& corners)
     return size > 0.0 ? (1.0 / size) * vector : Vec3{};
 }
 
-Result<void> refuseWithoutTriangles(const ClassifiedMesh& mesh)
+Result<void> refuseWithoutTriangles(const std::vector<std::uint32_t>& triangles)
 {
-    if (!mesh.triangles.empty()) return {};
+    if (!triangles.empty()) return {};
     return Error{ErrorCode::InvalidArgument, "the mesh has no triangles to write as STL", {}, {}, {}};
 }
 
@@ -39,15 +40,17 @@ void appendSingle(const Vec3& p, FileBuffer& out)
 
 }  // namespace
 
-Result<void> writeStlText(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeStlText(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
-    if (const Result<void> possible = refuseWithoutTriangles(mesh); !possible) return possible;
-    const EntityGroups grouped = groupByEntity(mesh.triangles);
+    const std::vector<std::uint32_t> triangles = outerTriangles(mesh);
+    if (const Result<void> possible = refuseWithoutTriangles(triangles); !possible) return possible;
+    const EntityGroups grouped(triangles.size(),
+                               [&](std::uint32_t i) { return mesh.triangles[triangles[i]].entity; });
     for (const EntityGroup& group : grouped.groups) {
         const std::string name = group.isNamed() ? nameOf(group.entity) : "unnamed";
         out << "solid " << name << '\n';
         for (std::uint32_t i = group.first; i < group.last; ++i) {
-            const TriangleCorners corners = cornersOf(mesh, mesh.triangles[grouped.order[i]]);
+            const TriangleCorners corners = cornersOf(mesh, mesh.triangles[triangles[grouped.order[i]]]);
             const Vec3 normal = unitNormal(corners);
             out << "facet normal " << normal.x << ' ' << normal.y << ' ' << normal.z << "\nouter loop\n";
             for (const Vec3& p : corners) out << "vertex " << p.x << ' ' << p.y << ' ' << p.z << '\n';
@@ -58,14 +61,16 @@ Result<void> writeStlText(const ClassifiedMesh& mesh, FileBuffer& out)
     return {};
 }
 
-Result<void> writeStlBinary(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeStlBinary(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
-    if (const Result<void> possible = refuseWithoutTriangles(mesh); !possible) return possible;
+    const std::vector<std::uint32_t> triangles = outerTriangles(mesh);
+    if (const Result<void> possible = refuseWithoutTriangles(triangles); !possible) return possible;
     std::string header = "binary STL, unit " + mesh.unit.substr(0, 20);  // must not begin with "solid"
     header.resize(80, ' ');
     out << header;
-    appendLittleEndian(static_cast<std::uint32_t>(mesh.triangles.size()), out);
-    for (const MeshElement<3>& triangle : mesh.triangles) {
+    appendLittleEndian(static_cast<std::uint32_t>(triangles.size()), out);
+    for (const std::uint32_t i : triangles) {
+        const MeshElement<3>& triangle = mesh.triangles[i];
         const TriangleCorners corners = cornersOf(mesh, triangle);
         appendSingle(unitNormal(corners), out);
         for (const Vec3& p : corners) appendSingle(p, out);

@@ -87,7 +87,7 @@ bool isLevel(const ClassifiedMesh& mesh, const std::vector<NodeId>& nodes)
 
 }  // namespace
 
-Result<void> writeSu2(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeSu2(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
     const bool isVolume = !mesh.tets.empty();
     std::vector<NodeId> used;

@@ -1,5 +1,6 @@
 #include "io/entity_groups.h"
 #include "io/format_writers.h"
+#include "io/group_numbers.h"
 
 #include <charconv>
 
@@ -69,15 +70,16 @@ void writeElements(const std::vector<MeshElement<N>>& elements, std::size_t firs
 class GroupWriter
 {
 public:
-    explicit GroupWriter(FileBuffer& out) : out_(out) {}
+    GroupWriter(const GroupNumbers& numbers, FileBuffer& out) : numbers_(numbers), out_(out) {}
 
     template <std::size_t N, class LabelOf>
     void write(const std::vector<MeshElement<N>>& elements, int memberCode, LabelOf labelOf)
     {
         const EntityGroups grouped = groupByEntity(elements);
         for (const EntityGroup& group : grouped.groups) {
-            if (!group.isNamed()) continue;
-            writeRow(out_, ++number_, 0, 0, 0, 0, 0, 0, group.size());
+            const std::uint32_t number = numbers_.numberOf(group.entity);
+            if (number == 0) continue;
+            writeRow(out_, number, 0, 0, 0, 0, 0, 0, group.size());
             out_ << nameOf(group.entity) << '\n';
             for (std::uint32_t i = group.first; i < group.last; ++i) {
                 writeColumn(memberCode, out_);
@@ -90,28 +92,31 @@ public:
     }
 
 private:
+    const GroupNumbers& numbers_;
     FileBuffer& out_;
-    int number_ = 0;
 };
 
 }  // namespace
 
-Result<void> writeUnv(const ClassifiedMesh& mesh, FileBuffer& out)
+/// Lines and points are there only as groups: to a solver a line beside a solid is a rod, and some readers end at groups of them.
+Result<void> writeUnv(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions& options)
 {
-    const std::size_t firstTriangle = mesh.lines.size() + 1;
+    const GroupNumbers numbers(mesh, options.groups);
+    const bool hasLines = numbers.isGrouped(1);
+    const std::size_t firstTriangle = hasLines ? mesh.lines.size() + 1 : 1;
     const std::size_t firstTet = firstTriangle + mesh.triangles.size();
     writeNodes(mesh, out);
     out << "    -1\n  2412\n";
-    writeElements(mesh.lines, 1, out);
+    if (hasLines) writeElements(mesh.lines, 1, out);
     writeElements(mesh.triangles, firstTriangle, out);
     writeElements(mesh.tets, firstTet, out);
     out << "    -1\n    -1\n  2467\n";
-    GroupWriter groups(out);
+    GroupWriter groups(numbers, out);
+    groups.write(mesh.tets, kElementsInGroup, [&](std::uint32_t i) { return firstTet + i; });
+    groups.write(mesh.triangles, kElementsInGroup, [&](std::uint32_t i) { return firstTriangle + i; });
+    groups.write(mesh.lines, kElementsInGroup, [](std::uint32_t i) { return i + 1; });
     groups.write(mesh.points, kNodesInGroup,
                  [&](std::uint32_t i) { return mesh.points[i].node[0].value + 1; });
-    groups.write(mesh.lines, kElementsInGroup, [](std::uint32_t i) { return i + 1; });
-    groups.write(mesh.triangles, kElementsInGroup, [&](std::uint32_t i) { return firstTriangle + i; });
-    groups.write(mesh.tets, kElementsInGroup, [&](std::uint32_t i) { return firstTet + i; });
     out << "    -1\n";
     return {};
 }

@@ -72,16 +72,41 @@ template <class Values>
 void writeCellData(const ClassifiedMesh& mesh, std::size_t cellCount, FileBuffer& out)
 {
     Values values{out};
-    out << "\nCELL_DATA " << cellCount << "\nSCALARS entity int 1\nLOOKUP_TABLE default\n";
+    // Of several SCALARS most readers keep one; arrays of a FIELD are all kept.
+    out << "\nCELL_DATA " << cellCount << "\nFIELD FieldData 2\nentity 1 " << cellCount << " int\n";
     forElements(mesh, [&](const auto& element, int) {
         values.put(static_cast<std::int32_t>(element.entity.index + 1));
         values.endItem();
     });
-    out << "\nSCALARS dimension int 1\nLOOKUP_TABLE default\n";
+    out << "\ndimension 1 " << cellCount << " int\n";
     forElements(mesh, [&](const auto& element, int) {
         values.put(static_cast<std::int32_t>(element.entity.dimension));
         values.endItem();
     });
+    out << '\n';
+}
+
+template <class Values>
+void writePointData(const ClassifiedMesh& mesh, FileBuffer& out)
+{
+    Values values{out};
+    const std::size_t count = mesh.nodes.size();
+    out << "\nPOINT_DATA " << count << "\nFIELD FieldData 3\nentity 1 " << count << " int\n";
+    for (const MeshNode& node : mesh.nodes) {
+        values.put(static_cast<std::int32_t>(node.entity.index + 1));
+        values.endItem();
+    }
+    out << "\ndimension 1 " << count << " int\n";
+    for (const MeshNode& node : mesh.nodes) {
+        values.put(static_cast<std::int32_t>(node.entity.dimension));
+        values.endItem();
+    }
+    out << "\nparameters 2 " << count << " double\n";
+    for (const MeshNode& node : mesh.nodes) {
+        values.put(node.parameters.x);
+        values.put(node.parameters.y);
+        values.endItem();
+    }
     out << '\n';
 }
 
@@ -113,16 +138,17 @@ Result<void> write(const ClassifiedMesh& mesh, FileBuffer& out)
         mesh.points.size() + mesh.lines.size() + mesh.triangles.size() + mesh.tets.size();
     writeCells<Values>(mesh, cellCount, out);
     writeCellData<Values>(mesh, cellCount, out);
+    writePointData<Values>(mesh, out);
     return {};
 }
 
 }  // namespace
 
-Result<void> writeVtkText(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeVtkText(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
     return write<TextValues>(mesh, out);
 }
-Result<void> writeVtkBinary(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeVtkBinary(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
     return write<BinaryValues>(mesh, out);
 }

@@ -1,5 +1,7 @@
 #include "io/base64.h"
+#include "io/entity_groups.h"
 #include "io/format_writers.h"
+#include "io/group_numbers.h"
 
 #include <bit>
 #include <functional>
@@ -60,9 +62,15 @@ std::vector<VtuArray> nodeArrays(const ClassifiedMesh& mesh)
     };
 }
 
-std::vector<VtuArray> cellArrays(const ClassifiedMesh& mesh)
+std::vector<VtuArray> cellArrays(const ClassifiedMesh& mesh, const GroupNumbers& numbers)
 {
     return {
+        {"Int32", "group", 1, 4 * cellCount(mesh),
+         [&](Base64Encoder& out) {
+             forElements(mesh, [&](const auto& element, std::uint8_t) {
+                 out.appendValue(static_cast<std::int32_t>(numbers.numberOf(element.entity)));
+             });
+         }},
         {"Int32", "entity", 1, 4 * cellCount(mesh),
          [&](Base64Encoder& out) {
              forElements(
@@ -132,19 +140,45 @@ void writeTags(const VtuSection& section, std::size_t& offset, FileBuffer& out)
     out << "      </" << section.name << ">\n";
 }
 
+template <std::size_t N>
+void writeNames(const std::vector<MeshElement<N>>& elements, const GroupNumbers& numbers, FileBuffer& out)
+{
+    for (const EntityGroup& group : groupByEntity(elements).groups) {
+        if (!group.isNamed()) continue;
+        out << "      <DataArray type=\"Int32\" Name=\"" << nameOf(group.entity)
+            << "\" NumberOfTuples=\"2\" format=\"ascii\">" << numbers.numberOf(group.entity) << ' ' << N - 1
+            << "</DataArray>\n";
+    }
+}
+
+/// The names of the groups: an array of each name with its number, which cells have in their array 'group', and its dimension.
+/// Arrays of text would say it more directly, and are beyond some readers.
+void writeNames(const ClassifiedMesh& mesh, const GroupNumbers& numbers, FileBuffer& out)
+{
+    out << "    <FieldData>\n";
+    writeNames(mesh.tets, numbers, out);
+    writeNames(mesh.triangles, numbers, out);
+    writeNames(mesh.lines, numbers, out);
+    writeNames(mesh.points, numbers, out);
+    out << "    </FieldData>\n";
+}
+
 }  // namespace
 
-Result<void> writeVtu(const ClassifiedMesh& mesh, FileBuffer& out)
+Result<void> writeVtu(const ClassifiedMesh& mesh, FileBuffer& out, const WriteOptions&)
 {
+    const GroupNumbers numbers(mesh, GroupChoice::All);
     const std::vector<VtuSection> sections = {{"PointData", nodeArrays(mesh)},
-                                              {"CellData", cellArrays(mesh)},
+                                              {"CellData", cellArrays(mesh, numbers)},
                                               {"Points", positionArrays(mesh)},
                                               {"Cells", topologyArrays(mesh)}};
     out << "<?xml version=\"1.0\"?>\n"
            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n"
-           "  <UnstructuredGrid>\n    <Piece NumberOfPoints=\""
-        << mesh.nodes.size() << "\" NumberOfCells=\"" << cellCount(mesh) << "\">\n";
+           "  <UnstructuredGrid>\n";
+    writeNames(mesh, numbers, out);
+    out << "    <Piece NumberOfPoints=\"" << mesh.nodes.size() << "\" NumberOfCells=\"" << cellCount(mesh)
+        << "\">\n";
     std::size_t offset = 0;
     for (const VtuSection& section : sections) writeTags(section, offset, out);
     out << "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"base64\">\n_";

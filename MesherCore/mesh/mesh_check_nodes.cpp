@@ -135,8 +135,11 @@ void checkNodes(const ClassifiedMesh& mesh, MeshCheckReport& report)
 
 void checkClassification(const ClassifiedMesh& mesh, MeshCheckReport& report)
 {
+    // Files without groups of edges and vertices tell that a node lies on one, not on which.
+    const int dimension = mesh.tets.empty() ? 2 : 3;
     for (const MeshNode& node : mesh.nodes) {
-        if (node.entity.index == EntityRef::kNone) ++report.unclassified;
+        const bool isBetween = node.entity.dimension < dimension - 1;
+        if (node.entity.index == EntityRef::kNone && !isBetween) ++report.unclassified;
     }
     checkClassificationOf(mesh, mesh.points, report);
     checkClassificationOf(mesh, mesh.lines, report);

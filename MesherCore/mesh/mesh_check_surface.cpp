@@ -141,8 +141,10 @@ void checkSurface(const ClassifiedMesh& mesh, MeshCheckReport& report)
 
     const std::vector<SideRecord<2>> lines = sortedRecords(mesh.lines);
     const std::vector<SideRecord<2>> edges = edgesOfTriangles(mesh);
+    // Files of solids have lines where groups of edges are wished for.
+    const bool wantsLines = mesh.tets.empty() || !mesh.lines.empty();
     forRuns<2>(edges, [&](std::size_t first, std::size_t last) {
-        const bool hasLine = containsKey(lines, edges[first].key);
+        const bool hasLine = !wantsLines || containsKey(lines, edges[first].key);
         const std::span<const SideRecord<2>> uses(edges.data() + first, last - first);
         const bool isInsideFace =
             uses.size() == 2 && mesh.triangles[uses[0].owner].entity == mesh.triangles[uses[1].owner].entity;

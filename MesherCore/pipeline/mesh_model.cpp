@@ -32,7 +32,7 @@ MeshOutcome meshPlaneFaces(const BrepModel& model, const MeshOptions& options,
     const Result<PlanarCurveComplex> complex = planarModel(model, options);
     if (!complex) return refuse(complex.error());
     PlanarMeshOutcome planar =
-        meshPlanar(complex.value(), options, std::move(fromFiles), boundaryOrder, context);
+        meshPlanar(complex.value(), options, std::move(fromFiles), boundaryOrder, context, &model);
     MeshOutcome outcome;
     outcome.report = std::move(planar.report);
     outcome.report.modelArea = planarArea(complex.value());

@@ -19,6 +19,10 @@ Result<void> validateFaces(const MeshOptions& options)
         if (entity && entity->dimension == 2) continue;
         return optionError("faces", "'" + name + "' is no name of a face", "give names like Face1,Face6");
     }
+    if (!options.faces.empty() && options.dimension == 3) {
+        return optionError("faces", "names what is meshed in two dimensions, and of solids all is",
+                           "leave the option out, or add --dimension 2");
+    }
     return {};
 }
 

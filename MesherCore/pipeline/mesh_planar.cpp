@@ -1,9 +1,11 @@
 #include "pipeline/mesh_planar.h"
 
+#include "mesh/node_order.h"
 #include "pipeline/estimate.h"
 #include "pipeline/option_checks.h"
 #include "pipeline/planar_sizes.h"
 #include "pipeline/report_steps.h"
+#include "pipeline/settled_nodes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -92,6 +94,17 @@ void tellStop(const PlanarCurveComplex& complex, const PlanarResult& result, Mes
     fail(report, std::move(error));
 }
 
+/// Nodes without the noise of their evaluation, in the order of their entities.
+void settle(PlanarMesh& planar, const BrepModel* model, MeshReport& report)
+{
+    if (model != nullptr)
+        report.counts.emplace_back("settled_nodes", settleNodes(planar.mesh, *model).settled);
+    const IdVector<NodeId, NodeId> moved = sortNodesByEntity(planar.mesh);
+    for (CurvedBoundaryEdge& edge : planar.boundary.edges) {
+        for (NodeId& node : edge.node) node = moved[node];
+    }
+}
+
 }  // namespace
 
 PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* field)
@@ -113,7 +126,7 @@ PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* fie
 
 PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
                              std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
-                             RunContext& context)
+                             RunContext& context, const BrepModel* model)
 {
     PlanarMeshOutcome outcome;
     MeshReport& report = outcome.report;
@@ -143,6 +156,7 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
     if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0)
         return outcome;
     outcome.result = classifyPlanar(complex, result.value().triangulation, boundaryOrder);
+    settle(*outcome.result, model, report);
     describeMesh(outcome.result->mesh, report);
     if (options.isChecked) checkWhole(outcome.result->mesh, report);
     return outcome;

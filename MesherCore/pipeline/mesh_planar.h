@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "brep/brep_model.h"
 #include "brep/planar_curve_complex.h"
 #include "pipeline/classify_planar.h"
 #include "pipeline/mesh_options.h"
@@ -22,12 +23,13 @@ struct PlanarMeshOutcome
 
 /// Meshes the regions of a plane domain: samples, enriches, triangulates, refines, classifies and reports.
 /// Guarantees   those of triangulatePlanar; the report says why there is no mesh, or not the whole one
-/// Requires     `fromFiles`: the sizes of options.background and options.sizePoints, or none
+/// Requires     `fromFiles`: the sizes of options.background and options.sizePoints, or none; `model`: that of the complex, or
+///              none, and then nodes are left with the rounding of their evaluation (settleNodes)
 /// Refuses      options out of range; a mesh that is expected to exceed the limit on elements twice; what planarSizes refuses; elements of second order, which are not there yet
 /// Terminates   see PlanarOptions; the limits on elements and time of the options hold
 [[nodiscard]] PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOptions& options,
                                            std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
-                                           RunContext& context);
+                                           RunContext& context, const BrepModel* model = nullptr);
 
 /// The options of triangulatePlanar that these stand for; `field` must outlive the run.
 [[nodiscard]] PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* field);

@@ -1,11 +1,13 @@
 #include "pipeline/mesh_solids.h"
 
 #include "brep/model_measures.h"
+#include "mesh/node_order.h"
 #include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
 #include "pipeline/merge_reports.h"
 #include "pipeline/model_components.h"
 #include "pipeline/report_steps.h"
+#include "pipeline/settled_nodes.h"
 #include "pipeline/solid_run.h"
 #include "pipeline/solid_sizes.h"
 #include "pipeline/stage_watch.h"
@@ -77,7 +79,7 @@ Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, 
     return solidSizes(model, options, std::move(fromFiles), context);
 }
 
-void finish(const MeshOptions& options, MeshOutcome& outcome)
+void finish(const BrepModel& model, const MeshOptions& options, MeshOutcome& outcome)
 {
     std::stable_sort(outcome.report.left.begin(), outcome.report.left.end(),
                      [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
@@ -85,6 +87,10 @@ void finish(const MeshOptions& options, MeshOutcome& outcome)
                      [](const LeftFaces& a, const LeftFaces& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     const StageWatch watch;
+    const SettledNodes settled = settleNodes(*outcome.mesh, model);
+    outcome.report.counts.emplace_back("settled_nodes", settled.settled);
+    outcome.report.counts.emplace_back("unsettled_nodes", settled.kept);
+    sortNodesByEntity(*outcome.mesh);
     describeMesh(*outcome.mesh, outcome.report);
     const bool isWhole = outcome.report.status == MeshReport::Status::Done;
     if (isWhole && options.isChecked) checkWhole(*outcome.mesh, outcome.report);
@@ -152,7 +158,7 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
         if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     }
     if (!mesh.nodes.empty()) whole.mesh = std::move(mesh);
-    finish(options, whole);
+    finish(model, options, whole);
     return whole;
 }
 
@@ -184,7 +190,7 @@ MeshOutcome meshFaces(const BrepModel& model, const std::vector<BrepFaceId>& fac
         addReport(component, part.report, whole.report);
         if (part.mesh) appendComponent(component, *part.mesh, whole.mesh.emplace());
     }
-    finish(options, whole);
+    finish(model, options, whole);
     return whole;
 }
 

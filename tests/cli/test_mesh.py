@@ -49,8 +49,22 @@ class TestMesh(Case):
     def test_names_regions_after_faces(self):
         self.expect(0, "mesh", DATA / "inclusion.brep", "--dimension", 2, "--size", 0.2, "-o", "m.msh")
         text = (self.folder / "m.msh").read_text()
-        for name in ('2 1 "Face1"', '2 2 "Face2"', '1 5 "Edge5"', '0 5 "Vertex5"'):
+        for name in ('2 1 "Face1"', '2 2 "Face2"', '1 3 "Edge1"', '1 7 "Edge5"'):
             self.assertIn(name, text)
+        self.assertNotIn("Vertex", text)
+
+    def test_groups_of_everything_on_a_wish(self):
+        self.expect(0, "mesh", DATA / "inclusion.brep", "--dimension", 2, "--size", 0.2, "--groups", "all", "-o", "m.msh")
+        self.assertIn('0 12 "Vertex5"', (self.folder / "m.msh").read_text())
+        self.expect(0, "mesh", DATA / "box.brep", "--size", 0.5, "--groups", "all", "-o", "m.msh", "-o", "n.msh", "-o", "m.unv",
+                    "--format", "msh", "--format", "msh2")
+        for name in ("m.msh", "n.msh"):
+            text = (self.folder / name).read_text()
+            names = re.findall(r'(?m)^[0-3] (\d+) "(\w+)"$', text)
+            self.assertEqual([int(number) for number, _ in names], list(range(1, 1 + 1 + 6 + 12 + 8)))
+            self.expect(0, "check", name, "--model", DATA / "box.brep")
+        self.assertIn("\nEdge12\n", (self.folder / "m.unv").read_text())
+        self.expect_refusal(2, "--groups is bounding or all, not 'some'", "mesh", DATA / "box.brep", "--groups", "some", "-o", "m.msh")
 
     def test_curved_boundary_lies_on_the_circle(self):
         self.mesh_plate("-o", "m.msh", "--curved-boundary", "b.json", "--boundary-order", 3)
@@ -204,12 +218,12 @@ class TestGmsh(Case):
                 output = self.run_gmsh("-check", name)
                 nodes, elements = re.search(r"(\d+) nodes\s.*?(\d+) elements", output, re.DOTALL).groups()
                 self.assertEqual(int(nodes), counts["vertices"])
-                self.assertEqual(int(elements), counts["triangles"] + counts["lines"] + 5)
+                self.assertEqual(int(elements), counts["triangles"] + counts["lines"])
 
     def test_keeps_groups_and_places(self):
         """What Gmsh writes of our file is the same mesh, by our own reader."""
         self.expect(0, "mesh", DATA / "inclusion.brep", "--dimension", 2, "--size", 0.2, "-o", "new.msh", "-o", "old.msh",
-                    "--format", "msh", "--format", "msh2")
+                    "--format", "msh", "--format", "msh2", "--groups", "all")
         before = self.expect(0, "check", "new.msh", "--model", DATA / "inclusion.brep").stdout
         for name, target in (("new.msh", "msh22"), ("old.msh", "msh41")):
             with self.subTest(name=name):

@@ -23,7 +23,7 @@ with tempfile.TemporaryDirectory() as directory:
         # The line numbers of a traceback are those of the page.
         exec(compile("\n" * line + example, page, "exec"), names)
     written = sorted(os.listdir(directory))
-assert written == ["bracket.gmsh", "bracket.msh"], written
+assert written == ["bracket.gmsh", "bracket.msh", "bracket.unv"], written
 print(f"{len(examples)} examples ran")
 
 

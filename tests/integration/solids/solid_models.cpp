@@ -9,9 +9,11 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GeomAPI_Interpolate.hxx>
@@ -23,6 +25,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
@@ -220,6 +223,32 @@ TopoDS_Shape bowTiePrism()
         .Shape();
 }
 
+/// Parts whose points have sines and cosines in their coordinates, as they are made and turned, in three units.
+std::vector<std::pair<std::string, TopoDS_Shape>> roundParts()
+{
+    constexpr double kPi = std::numbers::pi;
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(16.0, 20.0).Shape();
+    const std::vector<TopoDS_Shape> parts = {
+        cylinder,
+        BRepAlgoAPI_Cut(cylinder, BRepPrimAPI_MakeCylinder(9.0, 20.0).Shape()).Shape(),
+        BRepAlgoAPI_Cut(box({-20, -15, 0}, {20, 15, 6}), BRepPrimAPI_MakeCylinder(8.0, 6.0).Shape()).Shape(),
+        BRepPrimAPI_MakeTorus(30.0, 8.0, 0.5 * kPi).Shape(),
+        BRepPrimAPI_MakeCylinder(16.0, 20.0, kPi).Shape(),
+        BRepPrimAPI_MakeCone(16.0, 7.0, 18.0, 1.5 * kPi).Shape(),
+        BRepPrimAPI_MakeSphere(gp_Pnt(), 16.0, 0.0, 0.5 * kPi).Shape(),
+    };
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(gp_Pnt(3.0, -2.0, 5.0), gp_Dir(1.0, 2.0, 3.0)), 0.64);
+    const std::vector<double> units = {1.0, 1.0 / 25.4, 1000.0};
+    std::vector<std::pair<std::string, TopoDS_Shape>> all;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const TopoDS_Shape turned = BRepBuilderAPI_Transform(parts[i], turn, true).Shape();
+        all.emplace_back("round_" + std::to_string(i), parts[i]);
+        all.emplace_back("round_turned_" + std::to_string(i), scaled(turned, units[i % units.size()]));
+    }
+    return all;
+}
+
 }  // namespace
 
 int main(int count, char** words)
@@ -230,7 +259,7 @@ int main(int count, char** words)
     }
     const TopoDS_Shape unit = box({0, 0, 0}, {1, 1, 1});
     const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(0.5).Shape();
-    const std::vector<std::pair<std::string, TopoDS_Shape>> models = {
+    std::vector<std::pair<std::string, TopoDS_Shape>> models = {
         {"box_with_hole", boxWithHole()},
         {"cut_ball", cutBall()},
         {"loft", loft()},
@@ -268,6 +297,7 @@ int main(int count, char** words)
                    BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(2.0, 1.5, 0.0), gp_Dir(0.0, 0.0, 1.0)), 0.6, 2.0)
                        .Shape()})},
     };
+    for (auto& part : roundParts()) models.push_back(std::move(part));
     for (const auto& [name, shape] : models) {
         const std::string path = std::string(words[1]) + '/' + name + ".brep";
         if (shape.IsNull() || !BRepTools::Write(shape, path.c_str())) {

@@ -1,9 +1,11 @@
 #!/usr/bin/python3
-"""Every format that solids are written in, read again by programs that share nothing with the mesher: VTK, Gmsh, CalculiX,
-FreeCAD, and a few lines of Python.
+"""Every format that solids are written in, read again by programs that share nothing with the mesher: VTK, meshio, Gmsh,
+CalculiX, FreeCAD, and a few lines of Python.
 
     test_written_files.py PROGRAM MODULE-FOLDER MODELS-FOLDER DEMOS-FOLDER [unittest options]
 """
+import contextlib
+import io
 import json
 import os
 import re
@@ -16,7 +18,7 @@ from pathlib import Path
 
 PROGRAM, MODULES, MODELS = (Path(word).resolve() for word in sys.argv[1:4])
 HERE = Path(__file__).resolve().parent
-NAMES = ("m.msh", "m.vtu", "m.vtk", "m.inp", "m.unv", "m.stl")
+NAMES = ("m.msh", "m.vtu", "m.vtk", "m.inp", "m.unv", "m.stl", "m.ply")
 # Two boxes of volumes 1 and 2 that share a face, and a box with a hole.
 MODEL = "glued_boxes"
 GROUPS = {"Solid": 2, "Face": 11, "Edge": 20, "Vertex": 12}
@@ -28,6 +30,11 @@ try:
     HAS_VTK = True
 except ImportError:
     HAS_VTK = False
+try:
+    import meshio
+    HAS_MESHIO = True
+except ImportError:
+    HAS_MESHIO = False
 
 
 def volume_of(a, b, c, d):
@@ -42,7 +49,8 @@ class WrittenFiles(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
         outputs = [word for name in NAMES for word in ("-o", name)]
-        for more in (outputs + ["--report", "r.json"], ["-o", "old.msh", "--format", "msh2"]):
+        for more in (outputs + ["--report", "r.json"], ["-o", "old.msh", "--format", "msh2"],
+                     ["-o", "all.msh", "-o", "all_old.msh", "--format", "msh", "--format", "msh2", "--groups", "all"]):
             run = subprocess.run([PROGRAM, "mesh", MODELS / f"{MODEL}.brep", "--size", "0.4", *more], cwd=cls.folder,
                                  capture_output=True, text=True, timeout=120, check=False)
             if run.returncode != 0:
@@ -57,7 +65,7 @@ class WrittenFiles(unittest.TestCase):
         return run.stdout
 
     def test_the_program_checks_them_against_the_model(self):
-        for name in ("m.msh", "old.msh", "m.vtu"):
+        for name in ("m.msh", "old.msh", "all.msh", "all_old.msh", "m.vtu"):
             with self.subTest(file=name):
                 told = self.check(name)
                 self.assertIn("volume of Solid1: 1\n", told)
@@ -83,14 +91,16 @@ class WrittenFiles(unittest.TestCase):
             with self.subTest(file=name):
                 source = reader()
                 source.SetFileName(str(self.folder / name))
-                if hasattr(source, "ReadAllScalarsOn"):
-                    source.ReadAllScalarsOn()
                 source.Update()
                 grid = source.GetOutput()
                 self.assertEqual(grid.GetNumberOfPoints(), self.counts["vertices"])
                 kinds = [grid.GetCellType(i) for i in range(grid.GetNumberOfCells())]
                 self.assertEqual((kinds.count(10), kinds.count(5)), (self.counts["tets"], self.counts["triangles"]))
-                entity = grid.GetCellData().GetArray("entity")
+                cells, points = grid.GetCellData(), grid.GetPointData()
+                for data, arrays in ((cells, ("entity", "dimension")), (points, ("entity", "dimension", "parameters"))):
+                    for array in arrays:
+                        self.assertIsNotNone(data.GetArray(array), array)
+                entity = cells.GetArray("entity")
                 volumes = {}
                 for i in (i for i, kind in enumerate(kinds) if kind == 10):
                     corners = [grid.GetPoint(grid.GetCell(i).GetPointId(k)) for k in range(4)]
@@ -101,18 +111,74 @@ class WrittenFiles(unittest.TestCase):
                     self.assertAlmostEqual(volume, wanted, places=9)
 
     @unittest.skipUnless(HAS_VTK, "VTK for Python is not installed")
+    def test_vtk_finds_the_names_of_groups(self):
+        source = vtkXMLUnstructuredGridReader()
+        source.SetFileName(str(self.folder / "m.vtu"))
+        source.Update()
+        grid = source.GetOutput()
+        group, names = grid.GetCellData().GetArray("group"), grid.GetFieldData()
+        for name, dimension in (("Solid1", 3), ("Solid2", 3), ("Face11", 2), ("Edge20", 1), ("Vertex12", 0)):
+            number = names.GetArray(name)
+            self.assertIsNotNone(number, name)
+            members = [i for i in range(grid.GetNumberOfCells()) if group.GetTuple1(i) == number.GetTuple1(0)]
+            self.assertTrue(members, name)
+            self.assertEqual({grid.GetCell(i).GetCellDimension() for i in members}, {dimension})
+
+    @unittest.skipUnless(HAS_VTK, "VTK for Python is not installed")
     def test_vtk_reads_the_surface(self):
         source = vtkSTLReader()
         source.SetFileName(str(self.folder / "m.stl"))
         source.Update()
         surface = source.GetOutput()
-        self.assertEqual(surface.GetNumberOfCells(), self.counts["triangles"])
+        inner = self.inner_triangles()
+        self.assertGreater(inner, 0)
+        self.assertEqual(surface.GetNumberOfCells(), self.counts["triangles"] - inner)
+        edges = {}
+        for i in range(surface.GetNumberOfCells()):
+            corners = [surface.GetPoint(surface.GetCell(i).GetPointId(k)) for k in range(3)]
+            for k in range(3):
+                edge = frozenset((corners[k], corners[(k + 1) % 3]))
+                edges[edge] = edges.get(edge, 0) + 1
+        self.assertEqual(set(edges.values()), {2})
+
+    def inner_triangles(self):
+        """Those between the two boxes, at x = 1."""
+        text = (self.folder / "m.msh").read_text()
+        places = re.findall(r"(?m)^(\S+) (\S+) (\S+)$", text.split("$Nodes\n")[1].split("$EndNodes")[0])
+        triangles = re.findall(r"(?m)^2 \d+ 2 \d+\n((?:\d+ \d+ \d+ \d+\n)+)", text.split("$Elements\n")[1])
+        return sum(all(float(places[int(n) - 1][0]) == 1.0 for n in row.split()[1:]) for rows in triangles
+                   for row in rows.strip().split("\n"))
+
+    @unittest.skipUnless(HAS_MESHIO, "meshio is not installed")
+    def test_meshio_reads_every_group(self):
+        for name in ("m.msh", "old.msh", "m.vtu", "m.vtk", "m.ply", "m.stl", "m.inp"):
+            with self.subTest(file=name), contextlib.redirect_stdout(io.StringIO()):
+                grid = meshio.read(self.folder / name)
+                count = lambda kind: sum(len(cells.data) for cells in grid.cells if cells.type == kind)
+                if name in ("m.ply", "m.stl"):
+                    self.assertEqual(count("triangle"), self.counts["triangles"] - self.inner_triangles())
+                    continue
+                self.assertEqual(count("tetra"), self.counts["tets"])
+                if name == "m.inp":
+                    self.assertTrue({"Solid1", "Solid2"} <= set(grid.cell_sets))
+                elif name != "m.vtk":
+                    self.check_groups(grid, "group" if name == "m.vtu" else "gmsh:physical")
+
+    def check_groups(self, grid, array):
+        """Each name stands for cells of its dimension, and no number for two names."""
+        numbers = [int(number) for number, _ in grid.field_data.values()]
+        self.assertEqual(len(numbers), len(set(numbers)))
+        dimensions = {"vertex": 0, "line": 1, "triangle": 2, "tetra": 3}
+        for name, (number, dimension) in grid.field_data.items():
+            kinds = {cells.type for cells, groups in zip(grid.cells, grid.cell_data[array]) if (groups == number).any()}
+            self.assertEqual([dimensions[kind] for kind in kinds], [dimension], name)
+        self.assertTrue({"Solid1", "Solid2", "Face1", "Face11"} <= set(grid.field_data))
 
     @unittest.skipUnless(shutil.which("gmsh"), "Gmsh is not installed")
     def test_gmsh_keeps_solids_and_groups(self):
         """What Gmsh writes of our file is the same mesh, by the program's own reader."""
-        wanted = self.check("m.msh").split("\n")[:3]
-        for name, target in (("m.msh", "msh22"), ("old.msh", "msh41")):
+        wanted = self.check("all.msh").split("\n")[:3]
+        for name, target in (("all.msh", "msh22"), ("all_old.msh", "msh41")):
             with self.subTest(file=name):
                 run = subprocess.run(["gmsh", name, "-save", "-format", target, "-o", "again.msh"], cwd=self.folder,
                                      capture_output=True, text=True, timeout=120, check=False)
@@ -120,6 +186,16 @@ class WrittenFiles(unittest.TestCase):
                 self.assertEqual(self.check("again.msh").split("\n")[:3], wanted)
                 names = re.findall(r'(?m)^[0-3] \d+ "(Solid|Face|Edge|Vertex)\d+"$', (self.folder / "again.msh").read_text())
                 self.assertEqual({kind: names.count(kind) for kind in GROUPS}, GROUPS)
+
+    @unittest.skipUnless(shutil.which("gmsh"), "Gmsh is not installed")
+    def test_gmsh_reads_surfaces(self):
+        for name in ("m.ply", "m.stl"):
+            with self.subTest(file=name):
+                run = subprocess.run(["gmsh", name, "-save", "-format", "msh22", "-o", "again.msh"], cwd=self.folder,
+                                     capture_output=True, text=True, timeout=120, check=False)
+                self.assertNotRegex(run.stdout + run.stderr, "(?m)^(Error|Warning)")
+                rows = re.findall(r"(?m)^\d+ 2 \d", (self.folder / "again.msh").read_text().split("$Elements")[1])
+                self.assertEqual(len(rows), self.counts["triangles"] - self.inner_triangles())
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_loads_the_sets(self):
@@ -156,7 +232,7 @@ U
     def ends(self):
         """The names of the faces at x = 0 and x = 3, by the nodes of their sets."""
         text = (self.folder / "m.inp").read_text()
-        x = {int(n): float(value) for n, value in re.findall(r"(?m)^(\d+), (\S+), \S+, \S+$", text.split("*ELEMENT")[0])}
+        x = {int(n): float(value) for n, value in re.findall(r"(?m)^(\d+),(\S+?),\S+,\S+$", text.split("*ELEMENT")[0])}
         ends = {}
         for name, body in re.findall(r"\*NSET, NSET=(Face\d+)\n((?:\d.*\n)+)", text):
             places = {x[int(n)] for n in re.findall(r"\d+", body)}

@@ -4,6 +4,7 @@
 #include "support/sample_meshes.h"
 #include "support/temp_dir.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -11,7 +12,10 @@
 
 #include <csignal>
 #include <fstream>
+#include <future>
 #include <sstream>
+#include <thread>
+#include <vector>
 
 namespace mesher {
 namespace {
@@ -77,6 +81,85 @@ TEST(AtomicFile, WritesThroughALinkAndKeepsIt)
     ASSERT_TRUE(file && file->write(std::string_view("new")) && file->commit());
     EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
     EXPECT_EQ(contentOf(folder.path() / "target"), "new");
+}
+
+TEST(AtomicFile, MakesWhatALinkPointsToThatIsNotThereYet)
+{
+    const test::TempDir folder;
+    fs::create_directory(folder.path() / "far");
+    fs::create_symlink("far/second", folder.path() / "first");
+    fs::create_symlink("target", folder.path() / "far" / "second");
+    Result<AtomicFile> file = AtomicFile::create(folder.path() / "first");
+    ASSERT_TRUE(file && file->write(std::string_view("new")) && file->commit());
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "first") && fs::is_symlink(folder.path() / "far" / "second"));
+    EXPECT_EQ(contentOf(folder.path() / "far" / "target"), "new");
+    fs::create_symlink("loop", folder.path() / "loop");
+    EXPECT_FALSE(AtomicFile::create(folder.path() / "loop"));
+}
+
+TEST(AtomicFile, HasNoNameBeforeItIsPublished)
+{
+    const test::TempDir folder;
+    put(folder.path() / "file", "old");
+    Result<AtomicFile> file = AtomicFile::create(folder.path() / "file");
+    ASSERT_TRUE(file && file->write(std::string_view("new")) && file->prepare());
+    EXPECT_EQ(fileCount(folder.path()), 1u);
+}
+
+TEST(AtomicFile, OfSeveralAllAppearOrNone)
+{
+    const test::TempDir folder;
+    put(folder.path() / "old", "old");
+    fs::create_directory(folder.path() / "gone");
+    std::vector<AtomicFile> files;
+    for (const char* name : {"old", "new", "gone/third"}) {
+        Result<AtomicFile> file = AtomicFile::create(folder.path() / name);
+        ASSERT_TRUE(file && file->write(std::string_view("content")) && file->prepare());
+        files.push_back(std::move(file).value());
+    }
+    fs::remove(folder.path() / "gone");
+    const Result<void> published = publishAll(files);
+    ASSERT_FALSE(published);
+    EXPECT_NE(describe(published.error()).find("third"), std::string::npos);
+    EXPECT_EQ(contentOf(folder.path() / "old"), "old");
+    EXPECT_EQ(fileCount(folder.path()), 1u);
+}
+
+TEST(AtomicFile, RefusesAPipeThatNobodyReads)
+{
+    const test::TempDir folder;
+    const fs::path pipe = folder.path() / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const Result<void> written = writeMesh(test::twoFaceMesh(), pipe, "msh");
+    ASSERT_FALSE(written);
+    EXPECT_NE(describe(written.error()).find("read by no program"), std::string::npos);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+/// More than a pipe holds at once.
+TEST(AtomicFile, FillsAPipeThatIsRead)
+{
+    const test::TempDir folder;
+    const fs::path pipe = folder.path() / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::string got;
+    std::promise<void> isOpen;
+    std::thread reader([&] {
+        const int descriptor = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+        isOpen.set_value();
+        char block[4096];
+        for (ssize_t count = -1; count != 0 || got.empty();) {
+            count = read(descriptor, block, sizeof block);
+            if (count > 0) got.append(block, static_cast<std::size_t>(count));
+            if (count <= 0) std::this_thread::yield();
+        }
+        close(descriptor);
+    });
+    isOpen.get_future().wait();
+    EXPECT_TRUE(writeMesh(test::twoFaceMesh(100), pipe, "msh"));
+    reader.join();
+    ASSERT_TRUE(writeMesh(test::twoFaceMesh(100), folder.path() / "file", "msh"));
+    EXPECT_EQ(got, contentOf(folder.path() / "file"));
 }
 
 void expectRefused(const fs::path& target, const std::string& part)

@@ -3,6 +3,7 @@
 #include "io/mesh_reader.h"
 #include "mesh/classified_mesh_hash.h"
 #include "mesh/mesh_check.h"
+#include "mesh/node_order.h"
 #include "support/sample_meshes.h"
 #include "support/temp_dir.h"
 
@@ -13,6 +14,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 namespace mesher {
 namespace {
@@ -25,10 +27,11 @@ std::string contentOf(const std::filesystem::path& path)
     return text.str();
 }
 
-std::string written(const ClassifiedMesh& mesh, std::string_view format)
+std::string written(const ClassifiedMesh& mesh, std::string_view format,
+                    GroupChoice groups = GroupChoice::Bounding)
 {
     const test::TempDir folder;
-    const Result<void> result = writeMesh(mesh, folder.path() / "mesh", format);
+    const Result<void> result = writeMesh(mesh, folder.path() / "mesh", format, {groups});
     EXPECT_TRUE(result) << describe(result.error());
     return contentOf(folder.path() / "mesh");
 }
@@ -73,7 +76,7 @@ class MeshRoundTrip : public testing::TestWithParam<RoundTrip>
 {
 };
 
-/// Element order is that of the entities, as writers may sort by it.
+/// The order of nodes and elements is that of the entities, as writers may sort by it.
 ClassifiedMesh sortedByEntity(ClassifiedMesh mesh)
 {
     const auto sort = [](auto& elements) {
@@ -84,6 +87,7 @@ ClassifiedMesh sortedByEntity(ClassifiedMesh mesh)
     sort(mesh.lines);
     sort(mesh.triangles);
     sort(mesh.tets);
+    sortNodesByEntity(mesh);
     return mesh;
 }
 
@@ -91,7 +95,8 @@ TEST_P(MeshRoundTrip, GivesTheSameMeshBitForBit)
 {
     const ClassifiedMesh mesh =
         sortedByEntity(roughened(GetParam().isVolume ? test::twoSolidMesh(3) : test::twoFaceMesh(5)));
-    const Result<MeshFile> file = readMeshText(written(mesh, GetParam().format), GetParam().extension);
+    const std::string text = written(mesh, GetParam().format, GroupChoice::All);
+    const Result<MeshFile> file = readMeshText(text, GetParam().extension);
     ASSERT_TRUE(file) << describe(file.error());
     const ClassifiedMesh& read = file.value().mesh;
     ASSERT_EQ(read.nodes.size(), mesh.nodes.size());
@@ -132,7 +137,7 @@ TEST(MeshRoundTrip, KeepsWhatHasNoEntity)
         for (MeshElement<3>& triangle : mesh.triangles) {
             if (triangle.entity.index == 1) triangle.entity.index = EntityRef::kNone;
         }
-        const Result<MeshFile> file = readMeshText(written(mesh, format), ".msh");
+        const Result<MeshFile> file = readMeshText(written(mesh, format, GroupChoice::All), ".msh");
         ASSERT_TRUE(file);
         EXPECT_EQ(checkMesh(file.value().mesh).unclassified,
                   checkMesh(mesh).unclassified + (format[3] == '2' ? 9u : 0u))
@@ -140,19 +145,82 @@ TEST(MeshRoundTrip, KeepsWhatHasNoEntity)
     }
 }
 
-TEST(GmshFile, NamesAnEntityByItsNumber)
+/// The lines of $PhysicalNames: dimension, number, name.
+std::vector<std::tuple<int, int, std::string>> groupsIn(const std::string& text)
 {
-    const std::string text = written(test::twoSolidMesh(), "msh");
-    EXPECT_NE(text.find("2 3 \"Face3\""), std::string::npos);
-    EXPECT_NE(text.find("3 2 \"Solid2\""), std::string::npos);
-    EXPECT_NE(text.find("$PhysicalNames\n45\n"), std::string::npos);  // 12 + 20 + 11 + 2
+    std::istringstream in(text.substr(text.find("$PhysicalNames")));
+    std::string word;
+    std::size_t count = 0;
+    in >> word >> count;
+    std::vector<std::tuple<int, int, std::string>> groups(count);
+    for (auto& [dimension, number, name] : groups) in >> dimension >> number >> name;
+    return groups;
+}
+
+TEST(GmshFile, NumbersGroupsThroughAllDimensions)
+{
+    for (const char* format : {"msh", "msh2"}) {
+        const std::string text = written(test::twoSolidMesh(), format, GroupChoice::All);
+        const auto groups = groupsIn(text);
+        ASSERT_EQ(groups.size(), 45u);  // 2 + 11 + 20 + 12
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            EXPECT_EQ(std::get<1>(groups[i]), static_cast<int>(i + 1)) << format;
+        EXPECT_EQ(groups[1], std::tuple(3, 2, "\"Solid2\""));
+        EXPECT_EQ(groups[2], std::tuple(2, 3, "\"Face1\""));
+        EXPECT_EQ(groups.back(), std::tuple(0, 45, "\"Vertex12\""));
+    }
+}
+
+TEST(GmshFile, HasGroupsAndElementsOfEdgesAndVerticesOnlyOnAWish)
+{
+    for (const char* format : {"msh", "msh2"}) {
+        EXPECT_EQ(groupsIn(written(test::twoSolidMesh(), format)).size(), 13u);
+        EXPECT_EQ(groupsIn(written(test::twoFaceMesh(), format)).size(), 9u);  // 2 faces, 7 edges
+        const ClassifiedMesh mesh = test::twoSolidMesh(3);
+        const Result<MeshFile> file = readMeshText(written(mesh, format), ".msh");
+        ASSERT_TRUE(file);
+        const ClassifiedMesh& read = file.value().mesh;
+        EXPECT_TRUE(read.points.empty() && read.lines.empty());
+        EXPECT_EQ(read.triangles.size(), mesh.triangles.size());
+        EXPECT_EQ(checkMesh(read).problems(), std::vector<std::string>()) << format;
+    }
+}
+
+/// Without elements on them, edges and vertices are told by the blocks of nodes.
+TEST(GmshFile, TellsTheEntitiesOfNodesWithoutTheirGroups)
+{
+    const ClassifiedMesh mesh = sortedByEntity(test::twoSolidMesh(3));
+    const Result<MeshFile> file = readMeshText(written(mesh, "msh"), ".msh");
+    ASSERT_TRUE(file);
+    for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i)
+        EXPECT_EQ(file.value().mesh.nodes[NodeId(i)].entity, mesh.nodes[NodeId(i)].entity) << i;
+}
+
+TEST(GmshFile, HasNodesInTheOrderOfTheirNumbers)
+{
+    const std::string text = written(test::twoSolidMesh(3), "msh");
+    std::istringstream in(text.substr(text.find("$Nodes") + 6));
+    std::size_t blocks = 0, nodes = 0, last = 0, ignored = 0;
+    in >> blocks >> nodes >> ignored >> ignored;
+    for (; blocks > 0; --blocks) {
+        std::size_t count = 0;
+        double coordinate = 0.0;
+        in >> ignored >> ignored >> ignored >> count;
+        for (std::size_t i = 0; i < count; ++i) {
+            std::size_t tag = 0;
+            in >> tag;
+            EXPECT_EQ(tag, ++last);
+        }
+        for (std::size_t i = 0; i < 3 * count; ++i) in >> coordinate;
+    }
+    EXPECT_EQ(last, nodes);
 }
 
 TEST(GmshFile, TellsWhatBoundsAnEntity)
 {
     const std::string text = written(test::twoFaceMesh(), "msh");
-    // Edge1 runs from Vertex1 to Vertex2; Face1 has four edges.
-    EXPECT_NE(text.find("\n1 0 0 0 0.4 0 0 1 1 2 1 -2\n"), std::string::npos);
+    // Edge1 (tag 3, behind the faces) runs from Vertex1 to Vertex2; Face1 has four edges.
+    EXPECT_NE(text.find("\n3 0 0 0 0.4 0 0 1 3 2 10 -11\n"), std::string::npos);
     EXPECT_NE(text.find("\n1 0 0 0 0.4 0.4 0 1 1 4 "), std::string::npos);
 }
 
@@ -188,25 +256,50 @@ TEST(Su2File, RefusesAPlaneMeshThatIsNotLevel)
 TEST(StlFile, HasASolidForEachFace)
 {
     const std::string text = written(test::twoSolidMesh(2), "stl");
-    EXPECT_EQ(countOf(text, "endsolid Face"), 11u);
-    EXPECT_EQ(countOf(text, "facet normal"), 2 * 88u - 88u);
-    EXPECT_EQ(countOf(text, "vertex "), 3 * 88u);
+    // 11 faces of 8 triangles, one of them between the solids.
+    EXPECT_EQ(countOf(text, "endsolid Face"), 10u);
+    EXPECT_EQ(countOf(text, "facet normal"), 80u);
+    EXPECT_EQ(countOf(text, "vertex "), 3 * 80u);
 }
 
 TEST(StlFile, InBinaryHasFiftyBytesATriangle)
 {
-    EXPECT_EQ(written(test::twoSolidMesh(2), "stl-binary").size(), 84u + 50u * 88u);
+    EXPECT_EQ(written(test::twoSolidMesh(2), "stl-binary").size(), 84u + 50u * 80u);
 }
 
-TEST(PlyFile, HasTheTrianglesAndOnlyTheirNodes)
+TEST(PlyFile, HasTheOuterTrianglesAndOnlyTheirNodes)
 {
     const ClassifiedMesh mesh = test::twoSolidMesh(3);
     const std::string text = written(mesh, "ply");
-    const std::size_t header = text.find("end_header\n") + 11;
-    const std::size_t inner = 2 * 2 * 2 * 2;
+    const std::size_t inner = 2 * 2 * 2 * 2 + 2 * 2;  // in the solids, and in the face between them
     const std::size_t nodes = mesh.nodes.size() - inner;
+    const std::size_t outer = mesh.triangles.size() - 18;
+    EXPECT_NE(text.find("format ascii"), std::string::npos);
     EXPECT_NE(text.find("element vertex " + std::to_string(nodes) + "\n"), std::string::npos);
-    EXPECT_EQ(text.size() - header, 24 * nodes + 17 * mesh.triangles.size());
+    EXPECT_NE(text.find("element face " + std::to_string(outer) + "\n"), std::string::npos);
+    const std::string body = text.substr(text.find("end_header\n") + 11);
+    EXPECT_EQ(countOf(body, "\n"), nodes + outer);
+}
+
+/// Numbers of the longest kind, in every place that they may have.
+TEST(AbaqusFile, HasNoNumberThatTheSolverCuts)
+{
+    ClassifiedMesh mesh = test::twoSolidMesh(1);
+    const std::vector<double> values = {-9.797174393178826e-16,   -1.2345678901234567e-100,
+                                        -1.2345678901234567e+100, -0.0012345678901234567,
+                                        -123456.78901234567,      1.0 / 3.0};
+    for (std::uint32_t i = 0; i < values.size(); ++i)
+        mesh.nodes[NodeId(i)].position = {values[i], 0.0, -values[i]};
+    std::istringstream in(written(mesh, "inp"));
+    std::string line;
+    while (!line.starts_with("*NODE")) std::getline(in, line);
+    for (const double value : values) {
+        std::getline(in, line);
+        const std::size_t first = line.find(',') + 1;
+        const std::string word = line.substr(first, line.find(',', first) - first);
+        EXPECT_LE(word.size(), 20u) << word;
+        EXPECT_NEAR(std::stod(word), value, 1e-12 * std::abs(value)) << word;
+    }
 }
 
 TEST(AbaqusFile, HasElementsSetsAndSurfaces)
@@ -252,7 +345,41 @@ TEST(UnvFile, HasNodesElementsAndGroupsInColumns)
     EXPECT_NE(text.find("\n   1.0000000000000001D-01   0.0000000000000000D+00   0.0000000000000000D+00\n"),
               std::string::npos);
     EXPECT_NE(text.find("\nFace2\n"), std::string::npos);
+    EXPECT_NE(text.find("\nEdge7\n"), std::string::npos);
+    EXPECT_EQ(countOf(text, "\nVertex"), 0u);
     EXPECT_EQ(countOf(text, "\n    -1\n"), 5u);
+}
+
+TEST(UnvFile, OfSolidsHasEdgesAndVerticesOnlyOnAWish)
+{
+    constexpr const char* kRod = "        11         1         1         7         2\n";
+    const std::string text = written(test::twoSolidMesh(1), "unv");
+    EXPECT_EQ(countOf(text, "\nEdge") + countOf(text, "\nVertex") + countOf(text, kRod), 0u);
+    EXPECT_EQ(countOf(text, "\nFace") + countOf(text, "\nSolid"), 13u);
+    const std::string all = written(test::twoSolidMesh(1), "unv", GroupChoice::All);
+    EXPECT_EQ(countOf(all, "\nEdge"), 20u);
+    EXPECT_EQ(countOf(all, kRod), 20u);
+    EXPECT_EQ(countOf(all, "\nVertex"), 12u);
+}
+
+TEST(VtkFile, HasItsArraysInOneFieldEach)
+{
+    const std::string text = written(test::twoFaceMesh(1), "vtk");
+    EXPECT_EQ(countOf(text, "SCALARS"), 0u);
+    EXPECT_EQ(countOf(text, "FIELD FieldData"), 2u);
+    for (const char* array : {"\nentity 1 17 int\n", "\ndimension 1 17 int\n", "\nparameters 2 6 double\n"})
+        EXPECT_EQ(countOf(text, array), 1u) << array;
+}
+
+TEST(VtuFile, NamesItsGroups)
+{
+    const std::string text = written(test::twoSolidMesh(1), "vtu");
+    for (const char* name : {"\"Solid2\" NumberOfTuples=\"2\" format=\"ascii\">2 3<",
+                             "\"Face1\" NumberOfTuples=\"2\" format=\"ascii\">3 2<",
+                             "\"Edge20\" NumberOfTuples=\"2\" format=\"ascii\">33 1<",
+                             "\"Vertex12\" NumberOfTuples=\"2\" format=\"ascii\">45 0<"})
+        EXPECT_EQ(countOf(text, name), 1u) << name;
+    EXPECT_EQ(countOf(text, "Name=\"group\""), 1u);
 }
 
 TEST(VtkFile, InBinaryIsBigEndian)

@@ -22,7 +22,8 @@ TEST(CurvedBoundaryFile, HasTheDocumentedContent)
     edge.left = {2, 0};
     edge.points = {{0.05, {1.0, 2.0, 0.0}, {0.0, -1.0, 0.0}, 0.1, 0.5}};
     boundary.edges = {edge, edge};
-    ASSERT_TRUE(writeCurvedBoundary(boundary, folder.path() / "b.json"));
+    Result<AtomicFile> target = prepareCurvedBoundary(boundary, folder.path() / "b.json");
+    ASSERT_TRUE(target && target->commit());
     std::ifstream file(folder.path() / "b.json");
     std::ostringstream text;
     text << file.rdbuf();

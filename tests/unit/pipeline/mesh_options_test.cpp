@@ -52,6 +52,7 @@ TEST(MeshOptions, RefuseBoxesBallsDistancesAndFormulasThatMakeNoSense)
     good.ballSizes = {ball};
     good.distanceSizes = {distance};
     good.sizeFormula = "0.1 + x^2";
+    good.dimension = 2;
     good.faces = {"Face1", "Face12"};
     EXPECT_TRUE(validate(good));
     const auto refuseAll = [&](auto SizeInBox::*boxMember, auto SizeInBall::*ballMember, double bad) {
@@ -75,7 +76,8 @@ TEST(MeshOptions, RefuseBoxesBallsDistancesAndFormulasThatMakeNoSense)
         expectRefused([&](MeshOptions& o) { (o.ballSizes = {ball})[0].centre.x = bad; }, "--size-ball");
     }
     expectRefused([](MeshOptions& o) { o.sizeFormula = "0.1 + y+"; }, "--size-formula");
-    expectRefused([](MeshOptions& o) { o.faces = {"Edge1"}; }, "--faces");
+    expectRefused([](MeshOptions& o) { o.dimension = 2, o.faces = {"Edge1"}; }, "--faces");
+    expectRefused([](MeshOptions& o) { o.faces = {"Face1"}; }, "--faces");  // of solids all is meshed
 }
 
 TEST(MeshOptions, RefuseWhatIsOutOfRange)
