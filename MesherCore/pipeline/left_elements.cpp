@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <span>
@@ -74,8 +75,13 @@ std::string remedyOf(LeftReason3d reason)
 
 LeftElements elementsOf(const LeftPlace3d& place)
 {
-    LeftElements left{reasonOf(place),       {},          place.count,           place.leastDihedral,
-                      place.largestDihedral, place.worst, remedyOf(place.reason)};
+    LeftElements left{.reason = reasonOf(place),
+                      .entities = {},
+                      .count = place.count,
+                      .leastAngle = place.leastDihedral,
+                      .largestAngle = place.largestDihedral,
+                      .worst = place.worst,
+                      .remedy = remedyOf(place.reason)};
     for (const EntityRef entity : place.entity) {
         if (entity.index != EntityRef::kNone) left.entities.push_back(nameOf(entity));
     }
@@ -174,6 +180,23 @@ std::string stallWarning(const RefinedVolume& refined)
            "; the mesh is valid, with elements left there that are larger or flatter than wanted";
 }
 
+/// Why the limits of quality that were asked for are not kept, and which can be.
+std::string warningOf(const UnreachableQuality3d& quality, const MeshOptions& options)
+{
+    const TetMeasureInfo& usual = infoOf(options.measure);
+    std::string wish = "the quality asked for, " + std::string(usual.key) + " of at least " +
+                       rounded(options.threshold.value_or(usual.threshold));
+    if (options.maxDihedral) wish += " and angles up to " + rounded(*options.maxDihedral) + " degrees";
+    // Entries of one bucket of the queue differ by a sixteenth.
+    constexpr double kBucket = 15.0 / 16.0;
+    const double reachable = std::max(std::floor(100.0 * kBucket * quality.best) / 100.0, usual.threshold);
+    return wish + ", is out of reach on this shape: " + std::to_string(quality.bad) + " of " +
+           std::to_string(quality.tets) +
+           " tetrahedra were beyond it when more vertices made them no fewer, and the usual " +
+           rounded(usual.threshold) + " was kept instead; about " + rounded(reachable) +
+           " can be reached by --threshold";
+}
+
 }  // namespace
 
 void tellWalls(const SurfaceSamplingCounts& counts, MeshReport& report)
@@ -229,6 +252,7 @@ void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
     for (const LeftPlace3d& place : refined.places) report.left.push_back(elementsOf(place));
     for (const NonDelaunayFaces3d& faces : refined.nonDelaunayFaces)
         report.nonDelaunay.push_back(facesOf(faces));
+    if (refined.unreachable) report.warnings.push_back(warningOf(*refined.unreachable, report.options));
     if (refined.hasStalled) report.warnings.push_back(stallWarning(refined));
     std::vector<ThinWall> kept = refined.walls;
     std::erase_if(kept, [](const ThinWall& wall) { return !wall.isKept; });

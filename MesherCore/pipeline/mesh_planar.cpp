@@ -2,6 +2,7 @@
 
 #include "mesh/node_order.h"
 #include "pipeline/estimate.h"
+#include "pipeline/left_triangles.h"
 #include "pipeline/option_checks.h"
 #include "pipeline/planar_sizes.h"
 #include "pipeline/report_steps.h"
@@ -151,6 +152,7 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
         return outcome;
     }
     tellCounts(result.value(), report);
+    tellLeftTriangles(complex, result.value(), report);
     tellStop(complex, result.value(), report);
     // A run that ends early may not have got as far as a triangulation of the boundary.
     if (report.status == MeshReport::Status::Cancelled || result.value().counts.triangles == 0)

@@ -58,8 +58,8 @@ Json toJson(const LeftElements& left)
     return {{"entities", left.entities},
             {"reason", left.reason},
             {"count", left.count},
-            {"min_dihedral", left.leastDihedral},
-            {"max_dihedral", left.largestDihedral},
+            {left.dimension == 3 ? "min_dihedral" : "min_angle", left.leastAngle},
+            {left.dimension == 3 ? "max_dihedral" : "max_angle", left.largestAngle},
             {"point", toJson(left.worst)},
             {"remedy", left.remedy}};
 }

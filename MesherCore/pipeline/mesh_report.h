@@ -21,10 +21,11 @@ struct LeftElements
     std::string reason;                 ///< a clause without a full stop
     std::vector<std::string> entities;  ///< of the model: what is to blame
     std::uint64_t count = 0;
-    double leastDihedral = 180.0;  ///< degrees
-    double largestDihedral = 0.0;
-    Vec3 worst;          ///< where the one with the least dihedral angle is, model units
+    double leastAngle = 180.0;  ///< degrees; of tetrahedra the dihedral angle
+    double largestAngle = 0.0;
+    Vec3 worst;          ///< where the one with the least angle is, model units
     std::string remedy;  ///< a clause without a full stop
+    int dimension = 3;   ///< 2: triangles, 3: tetrahedra
 };
 
 /// Faces between tetrahedra of a solid that refinement left not locally Delaunay, for one reason at one place.

@@ -5,11 +5,13 @@
 #include "pipeline/feature_sizes.h"
 #include "pipeline/improve_solids.h"
 #include "pipeline/left_elements.h"
+#include "pipeline/left_triangles.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/stage_counts.h"
 #include "pipeline/stage_watch.h"
 #include "refinement/refine_volume.h"
 #include "sizing/combined_size.h"
+#include "surface_sampling/left_facets.h"
 
 #include <algorithm>
 #include <utility>
@@ -71,8 +73,10 @@ MeshOutcome SolidRun::keepSurface()
 
 MeshOutcome SolidRun::meshFaces()
 {
-    if (findSides() && findFeatures() && sample())
+    if (findSides() && findFeatures() && sample()) {
+        tellLeftTriangles(leftFacets(sample_.surface->faces()), report());
         outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
+    }
     return std::move(outcome_);
 }
 
@@ -130,6 +134,7 @@ bool SolidRun::sample()
     sample_ = std::move(sampled).value();
     tellCounts(sample_.counts, report());
     tellWalls(sample_.counts, report());
+    tellUnreachableAngles(sample_.counts, report());
     for (const auto& [face, error] : sample_.failures) fail(report(), error);
     if (!sample_.failures.empty()) return false;
     if (mayGoOn(sample_.stopReason)) return true;

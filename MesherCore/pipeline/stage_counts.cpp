@@ -68,6 +68,7 @@ void tellCounts(const RefinedVolume& refined, MeshReport& report)
     add(report, "outside_vertices", counts.outsideVertices);
     add(report, "non_delaunay_faces_left", counts.nonDelaunayFaces);
     add(report, "refinement_cut_short", refined.hasStalled ? 1 : 0);
+    add(report, "quality_out_of_reach", refined.unreachable ? 1 : 0);
     add(report, "tets_left", refined.left.size());
     add(report, "tets_left_beside_small_angles", refined.leftForSmallAngles);
 }

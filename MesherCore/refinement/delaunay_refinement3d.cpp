@@ -1,5 +1,6 @@
 #include "refinement/delaunay_refinement3d.h"
 
+#include "base/backlog_watch.h"
 #include "refinement/bad_tet_queue.h"
 #include "refinement/boundary_queue3d.h"
 #include "refinement/facet_swap3d.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace mesher {
 
@@ -52,6 +54,7 @@ public:
         DelaunayRefinement3d result;
         result.nonDelaunayFaces = makeDelaunay();
         if (insistOnStubborn()) result.nonDelaunayFaces = makeDelaunay();
+        result.unreachable = unreachable_;
         result.hasStalled = hasStalled_;
         constexpr std::size_t kMostEntities = 5;
         if (hasStalled_) result.costliest = state_.ledger.costliest(kMostEntities);
@@ -97,6 +100,8 @@ private:
 
     void insertSinks()
     {
+        // What is out of reach would be found out of reach in the quality phase only, after sinks without end.
+        if (state_.criteria.asksForMoreThanUsual()) state_.criteria.settleForUsual();
         badTets_.beginSinks();
         badTets_.pushAll();
         while (!isStopped_) {
@@ -109,6 +114,7 @@ private:
             }
         }
         badTets_.endSinks();
+        state_.criteria.returnToWanted();
         state_.ledger.settle();
     }
 
@@ -240,6 +246,11 @@ private:
             isStopped_ = true;
             return true;
         }
+        if (need == TetNeed::Quality && isOutOfReach(entry->key)) {
+            // Keys change with the limits.
+            badTets_.pushAll();
+            return true;
+        }
         const Attempt attempt = insertion_.attempt(entry->id);
         if (attempt != Attempt::Inserted) state_.ledger.charge(insertion_.inTheWay());
         switch (attempt) {
@@ -250,6 +261,26 @@ private:
             case Attempt::Rejected: badTets_.pushAgain(*entry, need); break;
             case Attempt::Impossible: break;
         }
+        return true;
+    }
+
+    /// Whether limits above the measure's own have just been given up, since more vertices do not bring them nearer.
+    bool isOutOfReach(double key)
+    {
+        if (unreachable_ || !state_.criteria.asksForMoreThanUsual()) return false;
+        const std::uint64_t vertices = state_.mesh.vertexCount();
+        // The worst comes first, so that all that wait score as much.
+        if (isBacklogKnown_) bestScore_ = std::max(bestScore_, 1.0 / std::sqrt(key));
+        if (!backlog_.isDue(vertices)) return false;
+        isBacklogKnown_ = true;
+        UnreachableQuality3d found{.tets = meshedTets()};
+        for (std::uint32_t i = 0; i < state_.mesh.tetLimit(); ++i) {
+            if (state_.isMeshed(TetId(i)) && state_.judge(TetId(i)).need == TetNeed::Quality) ++found.bad;
+        }
+        if (!backlog_.look(vertices, found.bad)) return false;
+        found.best = bestScore_;
+        unreachable_ = found;
+        state_.criteria.settleForUsual();
         return true;
     }
 
@@ -271,6 +302,10 @@ private:
     StubbornTets stubborn_;
     Budget& budget_;
     RunContext& context_;
+    BacklogWatch backlog_;
+    bool isBacklogKnown_ = false;
+    double bestScore_ = 0.0;
+    std::optional<UnreachableQuality3d> unreachable_;
     std::uint32_t exteriorTets_ = 0;  ///< at the start, ghosts included
     double progress_ = 0.0;
     bool isStopped_ = false;

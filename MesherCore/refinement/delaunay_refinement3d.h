@@ -107,6 +107,14 @@ struct DelaunayRefinementOptions3d
     WorkAllowance allowance;
 };
 
+/// Limits of quality that more vertices did not bring nearer.
+struct UnreachableQuality3d
+{
+    double best = 0.0;       ///< about the highest score that all tetrahedra had at one time
+    std::uint64_t bad = 0;   ///< tetrahedra beyond the limits when these were given up
+    std::uint64_t tets = 0;  ///< of regions, then
+};
+
 struct DelaunayRefinement3d
 {
     /// Done; CannotImprove when tetrahedra are left bad; or the limit that ended it.
@@ -116,6 +124,8 @@ struct DelaunayRefinement3d
     std::vector<NonDelaunayFaces3d> nonDelaunayFaces;
     std::vector<ThinWall> walls;
     std::vector<NarrowGap> gaps;  ///< too narrow to split segments beside them for more than their length
+    /// Set where the limits asked for were out of reach and the measure's own were kept in their place.
+    std::optional<UnreachableQuality3d> unreachable;
     /// Whether the allowance of work has ended it, and where most of the work was done in vain then.
     bool hasStalled = false;
     std::vector<WorkLedger3d::Entry> costliest;

@@ -73,6 +73,7 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     result.nonDelaunayFaces = std::move(refinement.nonDelaunayFaces);
     result.walls = std::move(refinement.walls);
     result.gaps = std::move(refinement.gaps);
+    result.unreachable = refinement.unreachable;
     result.hasStalled = refinement.hasStalled;
     result.costliest = std::move(refinement.costliest);
     result.places = groupLeftTets(tetrahedralization, result.left);

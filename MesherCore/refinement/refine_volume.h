@@ -42,6 +42,8 @@ struct RefinedVolume
     std::vector<NonDelaunayFaces3d> nonDelaunayFaces;
     std::vector<ThinWall> walls;
     std::vector<NarrowGap> gaps;  ///< narrower than the least gap, beside which elements are left flat
+    /// Set where the limits asked for were out of reach and the measure's own were kept in their place.
+    std::optional<UnreachableQuality3d> unreachable;
     /// Whether it was ended since it made no headway any more, and where most of the work was done in vain then.
     bool hasStalled = false;
     std::vector<WorkLedger3d::Entry> costliest;

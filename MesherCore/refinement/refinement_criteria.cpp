@@ -44,18 +44,34 @@ struct RefinementCriteria3d::Shape
 
 RefinementCriteria3d::RefinementCriteria3d(const Triangulation3d& mesh, const LengthScale3d& scale,
                                            const TetQualityLimits& limits)
-    : mesh_(mesh),
-      scale_(scale),
-      limits_(limits),
-      bounds_(scale.bounds()),
-      threshold_(limits.threshold.value_or(infoOf(limits.measure).threshold)),
-      squaredCosineOfSmall_(1.0 - threshold_ * threshold_),
-      squaredCosineOfLarge_(
-          squaredCosine(limits.largestDihedral.value_or(infoOf(limits.measure).largestDihedral)))
+    : mesh_(mesh), scale_(scale), wanted_(limits), bounds_(scale.bounds())
 {
+    applyLimits(wanted_);
+}
+
+void RefinementCriteria3d::applyLimits(const TetQualityLimits& limits)
+{
+    limits_ = limits;
+    const TetMeasureInfo& usual = infoOf(limits_.measure);
+    threshold_ = limits_.threshold.value_or(usual.threshold);
+    squaredCosineOfSmall_ = 1.0 - threshold_ * threshold_;
+    squaredCosineOfLarge_ = squaredCosine(limits_.largestDihedral.value_or(usual.largestDihedral));
     // A sine tells small and large angles alike.
-    if (limits.measure == TetMeasure::MinimumDihedralSine)
+    if (limits_.measure == TetMeasure::MinimumDihedralSine)
         squaredCosineOfLarge_ = std::min(squaredCosineOfLarge_, squaredCosineOfSmall_);
+}
+
+bool RefinementCriteria3d::asksForMoreThanUsual() const
+{
+    const TetMeasureInfo& usual = infoOf(limits_.measure);
+    return limits_.isActive &&
+           (threshold_ > usual.threshold || limits_.largestDihedral.value_or(180.0) < usual.largestDihedral);
+}
+
+void RefinementCriteria3d::settleForUsual()
+{
+    applyLimits(
+        {.isActive = wanted_.isActive, .measure = wanted_.measure, .threshold = {}, .largestDihedral = {}});
 }
 
 inline RefinementCriteria3d::Shape RefinementCriteria3d::shapeOf(TetId tet) const

@@ -53,6 +53,12 @@ public:
     RefinementCriteria3d(const Triangulation3d& mesh, const LengthScale3d& scale,
                          const TetQualityLimits& limits);
 
+    /// Whether more is asked for than the measure's own limits, which were reached on all shapes without small angles.
+    [[nodiscard]] bool asksForMoreThanUsual() const;
+    /// From now on the measure's own limits hold, or those asked for again.
+    void settleForUsual();
+    void returnToWanted() { applyLimits(wanted_); }
+
     /// Of a live tetrahedron in a region. One that is bad and may not be refined any more needs nothing.
     [[nodiscard]] TetVerdict judge(TetId tet) const;
     /// Bad by the limits, whatever the length scale says.
@@ -72,6 +78,7 @@ public:
 private:
     struct Shape;
 
+    void applyLimits(const TetQualityLimits& limits);
     [[nodiscard]] Shape shapeOf(TetId tet) const;
     [[nodiscard]] double sizeExcess(const Shape& shape) const;
     [[nodiscard]] double badness(const Shape& shape) const;
@@ -79,11 +86,12 @@ private:
 
     const Triangulation3d& mesh_;
     const LengthScale3d& scale_;
-    TetQualityLimits limits_;
+    TetQualityLimits wanted_;
+    TetQualityLimits limits_;  ///< that hold
     SizeBounds bounds_;
-    double threshold_;
-    double squaredCosineOfSmall_;  ///< of dihedral angles below which q2 calls a tetrahedron bad
-    double squaredCosineOfLarge_;
+    double threshold_ = 0.0;
+    double squaredCosineOfSmall_ = 0.0;  ///< of dihedral angles below which q2 calls a tetrahedron bad
+    double squaredCosineOfLarge_ = 0.0;
 };
 
 }  // namespace mesher

@@ -31,6 +31,12 @@ FacetCriteria::FacetCriteria(const FacetCriteriaOptions& options)
 {
 }
 
+void FacetCriteria::setMinAngle(double minAngle)
+{
+    options_.minAngle = minAngle;
+    squaredRatioLimit_ = squaredRatioOf(minAngle);
+}
+
 double FacetCriteria::leastAt(const Vec3& point) const
 {
     double least = options_.leastCurvatureSize;

@@ -22,7 +22,7 @@ struct TipResolution
 struct FacetCriteriaOptions
 {
     /// Smallest angle wanted, degrees; 0 asks for none. Refinement is proven to end up to 20.7 [thesis §3.3.2.3], in practice
-    /// it ends up to 30; in [0, 34].
+    /// it ends up to 30; in [0, 34]. What is beyond the reach of a face is given up for the default there.
     double minAngle = 30.0;
     /// Length of edges on average, model units; see size_bounds.h for what is split.
     double maxSize = std::numeric_limits<double>::infinity();
@@ -61,6 +61,10 @@ class FacetCriteria
 {
 public:
     explicit FacetCriteria(const FacetCriteriaOptions& options);
+
+    /// Smallest angle wanted from now on, degrees.
+    void setMinAngle(double minAngle);
+    [[nodiscard]] double minAngle() const { return options_.minAngle; }
 
     [[nodiscard]] FacetVerdict judge(const FaceMesh& mesh, TriangleId t) const;
     /// Is it off the surface's normals by more than may be, and long enough to matter?

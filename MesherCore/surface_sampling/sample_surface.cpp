@@ -82,6 +82,7 @@ void reportLostSegments(const BrepModel& model, const SampledFaces& faces,
 
 void countResult(SampledSurface& surface, SurfaceSamplingCounts& counts)
 {
+    counts.facesWithoutAngle = surface.faces().facesWithoutAngle();
     counts.refinement = surface.faces().counts();
     counts.segments = surface.faces().chains().aliveCount();
     counts.unprotectedAngles = surface.faces().chains().unprotectedCount();

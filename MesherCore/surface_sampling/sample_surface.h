@@ -53,6 +53,7 @@ struct SurfaceSamplingCounts
     std::size_t unprotectedAngles = 0;
     SamplingRounds rounds;
     FaceRefinementCounts refinement;
+    std::vector<BrepFaceId> facesWithoutAngle;  ///< on which the least angle asked for is out of reach
     std::vector<WallRim> flatRims;
     WallRefinement walls;
     SurfaceCertificate certificate;

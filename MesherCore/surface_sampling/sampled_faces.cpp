@@ -174,6 +174,16 @@ FaceRefinementCounts SampledFaces::counts() const
     return counts;
 }
 
+std::vector<BrepFaceId> SampledFaces::facesWithoutAngle() const
+{
+    std::vector<BrepFaceId> found;
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+        const auto& face = faces_[BrepFaceId(f)];
+        if (face && face->refiner.hasGivenUpAngle()) found.push_back(BrepFaceId(f));
+    }
+    return found;
+}
+
 void SampledFaces::force(BrepFaceId face, TriangleId facet)
 {
     faces_[face]->refiner.force(facet);

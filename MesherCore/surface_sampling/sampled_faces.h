@@ -78,6 +78,8 @@ public:
     [[nodiscard]] const std::vector<std::pair<BrepFaceId, Error>>& failures() const { return failures_; }
     [[nodiscard]] std::size_t vertexCount() const;
     [[nodiscard]] FaceRefinementCounts counts() const;
+    /// Those on which the angle asked for was out of reach.
+    [[nodiscard]] std::vector<BrepFaceId> facesWithoutAngle() const;
 
 private:
     class Boundary final : public FaceBoundary

@@ -43,7 +43,8 @@ FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceGeometry& geometry, const Fac
       criteria_(options.criteria),
       floor_(options.splits.floor),
       splitter_(mesh, geometry, criteria_, options.splits),
-      removal_(mesh, geometry)
+      removal_(mesh, geometry),
+      isWatched_(criteria_.minAngle() > FacetCriteriaOptions{}.minAngle)
 {
     for (std::uint32_t i = 0; i < mesh.vertexSlots(); ++i) {
         FaceVertex& vertex = mesh.vertex(VertexId(i));
@@ -209,9 +210,26 @@ StopReason FaceRefiner::refine(Budget& budget)
             (isSize ? sizeQueue_ : qualityQueue_).push(entry->id, entry->generation, entry->key);
             break;
         }
+        if (verdict.need == FacetNeed::Quality && isWatched_) watchBacklog();
         processTriangle(entry->id, verdict.need);
     }
     return budget.stopReason();
+}
+
+/// Gives an angle up that more vertices do not bring nearer.
+void FaceRefiner::watchBacklog()
+{
+    if (!backlog_.isDue(mesh_.vertexCount())) return;
+    std::uint64_t bad = 0;
+    for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
+        const FaceTriangle& record = mesh_.triangle(TriangleId(i));
+        if (!record.isAlive || record.left != FacetLeft::No) continue;
+        if (criteria_.judge(mesh_, TriangleId(i)).need == FacetNeed::Quality) ++bad;
+    }
+    if (!backlog_.look(mesh_.vertexCount(), bad)) return;
+    criteria_.setMinAngle(FacetCriteriaOptions{}.minAngle);
+    isWatched_ = false;
+    hasGivenUpAngle_ = true;
 }
 
 void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)

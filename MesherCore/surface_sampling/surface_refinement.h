@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/backlog_watch.h"
 #include "base/bucket_queue.h"
 #include "base/budget.h"
 #include "base/stop_reason.h"
@@ -105,6 +106,9 @@ public:
     /// Those that were given up, since what is around them has changed. False if there are none that are new.
     bool queueGivenUp();
 
+    /// Whether the angle asked for was out of reach and the default was kept in its place.
+    [[nodiscard]] double minAngle() const { return criteria_.minAngle(); }
+    [[nodiscard]] bool hasGivenUpAngle() const { return hasGivenUpAngle_; }
     [[nodiscard]] FaceRefinementCounts counts() const;
     [[nodiscard]] FacetSplitter& splitter() { return splitter_; }
     [[nodiscard]] FaceMesh& mesh() { return mesh_; }
@@ -123,6 +127,7 @@ private:
     void queueTriangle(TriangleId t);
     void queueMade(const std::vector<TriangleId>& made);
     bool propose(SegmentId segment);
+    void watchBacklog();
     void processTriangle(TriangleId t, FacetNeed need);
     [[nodiscard]] bool isAtSmallAngle(const FaceTriangle& record, const FacetShape& shape) const;
     void proposeAround(VertexId v);
@@ -148,6 +153,9 @@ private:
     IndexedMap<NodeId, std::vector<VertexId>> verticesOf_;
     std::size_t boundVertices_ = 0;  ///< in `verticesOf_`
     FaceRefinementCounts counts_;
+    BacklogWatch backlog_;
+    bool hasGivenUpAngle_ = false;
+    bool isWatched_;  ///< an angle above the default may be out of reach
     bool hasGivenUp_ = false;
     bool leavesFlat_ = false;
     bool isTryingAgain_ = false;  ///< what was given up is tried by other means as well

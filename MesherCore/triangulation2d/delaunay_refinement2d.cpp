@@ -1,5 +1,6 @@
 #include "triangulation2d/delaunay_refinement2d.h"
 
+#include "base/backlog_watch.h"
 #include "base/bucket_queue.h"
 #include "predicates/coordinate_range.h"
 #include "triangulation2d/encroachment2d.h"
@@ -29,7 +30,8 @@ public:
           mesh_(triangulation.mesh()),
           splitter_(domain, triangulation),
           criteria_(domain, options, triangulation),
-          hasSizing_(options.sizing.isActive())
+          hasSizing_(options.sizing.isActive()),
+          isWatched_(options.minAngle > RefinementOptions2d{}.minAngle)
     {
     }
 
@@ -119,6 +121,7 @@ private:
                 continue;
             }
             if (!mayContinue()) return;
+            if (verdict.need == RefinementNeed2d::Quality && isWatched_) watchBacklog();
             processTriangle(entry->id, verdict.need);
         }
     }
@@ -138,6 +141,23 @@ private:
         }
         isStopped_ = !budget_.allows({mesh_.vertexCount(), meshedTriangles_});
         return !isStopped_;
+    }
+
+    /// Gives an angle up that more vertices do not bring nearer.
+    void watchBacklog()
+    {
+        if (!backlog_.isDue(mesh_.vertexCount())) return;
+        std::uint64_t bad = 0;
+        for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
+            const TriangleId t(i);
+            if (!mesh_.isAlive(t) || !t_.isMeshed(t) || isImpossible(t)) continue;
+            if (criteria_.judge(t).need == RefinementNeed2d::Quality) ++bad;
+        }
+        if (!backlog_.look(mesh_.vertexCount(), bad)) return;
+        const double usual = RefinementOptions2d{}.minAngle;
+        result_.unreachable = UnreachableAngle2d{usual, bad, meshedTriangles_};
+        criteria_.setMinAngle(usual);
+        isWatched_ = false;
     }
 
     void processTriangle(TriangleId t, RefinementNeed2d need)
@@ -397,6 +417,8 @@ private:
     SubcurveSplitter2d splitter_;
     RefinementCriteria2d criteria_;
     bool hasSizing_;
+    bool isWatched_;  ///< an angle above the default may be out of reach
+    BacklogWatch backlog_;
 
     std::deque<SubcurveId> subcurves_;
     BucketQueue<TriangleId> sizeQueue_;

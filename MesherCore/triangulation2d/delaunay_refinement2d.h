@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace mesher {
@@ -16,8 +17,8 @@ namespace mesher {
 struct RefinementOptions2d
 {
     /// Smallest angle wanted, degrees. Up to 25.7 the algorithm is proven to end and to grade the mesh well, provided that
-    /// input curves meet at 60 degrees or more (smaller angles are protected); in practice it ends up to about 33, and the
-    /// budget ends it beyond that. 0 asks for no quality.
+    /// input curves meet at 60 degrees or more (smaller angles are protected); in practice it ends up to about 33. What is
+    /// beyond the reach of a domain is given up for the default. 0 asks for no quality.
     double minAngle = 30.0;
     PlanarSizing sizing;
 };
@@ -40,6 +41,14 @@ struct LeftTriangle2d
     double largestAngle = 0.0;
 };
 
+/// An angle that more vertices did not bring nearer.
+struct UnreachableAngle2d
+{
+    double kept = 0.0;            ///< that was kept in its place, degrees
+    std::uint64_t bad = 0;        ///< triangles with smaller ones when it was given up
+    std::uint64_t triangles = 0;  ///< of regions, then
+};
+
 struct Refinement2d
 {
     StopReason stopReason = StopReason::Done;
@@ -52,6 +61,7 @@ struct Refinement2d
     std::size_t sweeps = 0;
     SubcurveSplitCounters2d splitting;
     std::vector<LeftTriangle2d> left;
+    std::optional<UnreachableAngle2d> unreachable;
 };
 
 /// Refines a constrained Delaunay triangulation until no triangle is too large or has too small an angle: Shewchuk's

@@ -33,10 +33,15 @@ RefinementCriteria2d::RefinementCriteria2d(const PlanarDomain& domain, const Ref
       hasSizing_(options.sizing.isActive()),
       hasField_(options.sizing.field != nullptr)
 {
-    const double sine = std::sin(options.minAngle / kDegreesPerRadian);
+    setMinAngle(options.minAngle);
+}
+
+void RefinementCriteria2d::setMinAngle(double minAngle)
+{
+    const double sine = std::sin(minAngle / kDegreesPerRadian);
     // A hair beyond the bound, so that triangles exactly at it are not refined for a rounding error.
-    squaredBound_ = options.minAngle > 0.0 ? (1.0 + 1e-12) / (4.0 * sine * sine)
-                                           : std::numeric_limits<double>::infinity();
+    squaredBound_ =
+        minAngle > 0.0 ? (1.0 + 1e-12) / (4.0 * sine * sine) : std::numeric_limits<double>::infinity();
 }
 
 RefinementVerdict2d RefinementCriteria2d::judge(TriangleId t) const

@@ -27,6 +27,9 @@ public:
     RefinementCriteria2d(const PlanarDomain& domain, const RefinementOptions2d& options,
                          const PlanarTriangulation& triangulation);
 
+    /// Smallest angle wanted from now on, degrees; 0 asks for none.
+    void setMinAngle(double minAngle);
+
     /// Of a meshed triangle.
     [[nodiscard]] RefinementVerdict2d judge(TriangleId t) const;
     [[nodiscard]] bool isTooLong(SubcurveId s) const;

@@ -41,6 +41,13 @@ class TestMesh(Case):
         self.mesh_plate("-o", "b.msh")
         self.assertEqual((self.folder / "a.msh").read_bytes(), (self.folder / "b.msh").read_bytes())
 
+    def test_tells_an_angle_that_is_out_of_reach(self):
+        run = self.mesh_plate("-o", "m.msh", "--report", "r.json", "--min-angle", 40)
+        self.assertRegex(run.stderr, "40 degrees .* --min-angle is out of reach .* 30 degrees were kept")
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertGreaterEqual(report["quality"]["min_angle"], 30)
+        self.assertLess(report["counts"]["triangles"], 20000)
+
     def test_format_overrules_the_extension(self):
         self.mesh_plate("-o", "m.dat", "-o", "n.msh", "--format", "msh2")
         self.assertIn("2.2 0 8", (self.folder / "m.dat").read_text())

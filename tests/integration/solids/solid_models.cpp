@@ -249,6 +249,14 @@ std::vector<std::pair<std::string, TopoDS_Shape>> roundParts()
     return all;
 }
 
+/// A prism of a triangle with an angle of 10 degrees, so that its floor and lid have one.
+TopoDS_Shape needlePrism()
+{
+    BRepBuilderAPI_MakePolygon polygon({0, 0, 0}, {4, 0, 0}, {4, 0.7053, 0}, true);
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire(), true).Face(), gp_Vec(0, 0, 1))
+        .Shape();
+}
+
 }  // namespace
 
 int main(int count, char** words)
@@ -270,6 +278,7 @@ int main(int count, char** words)
         {"shell_only", shellOnly()},
         {"pulled_through", pulledThrough()},
         {"bow_tie_prism", bowTiePrism()},
+        {"needle_prism", needlePrism()},
         {"without_height", withoutHeight()},
         {"thin_plate", box({0, 0, 0}, {10, 10, 0.001})},
         {"absurdly_small", box({0, 0, 0}, {1e-6, 1e-6, 1e-6})},

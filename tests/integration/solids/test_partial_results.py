@@ -27,6 +27,22 @@ class PartialResults(Case):
         words = run.stdout.split("\n")[0].replace(",", "").split()
         return dict(zip(words[1::2], map(int, words[0::2])))
 
+    def test_triangles_below_their_angle_are_told(self):
+        run = self.run_mesher("needle_prism", "--dimension", 2, "--size", 0.3)
+        self.assertEqual(run.returncode, 0)
+        report = self.report()
+        self.assertLess(report["quality"]["min_angle"], 11)
+        places = report["left"]["places"]
+        self.assertEqual(report["quality"]["min_angle"], min(place["min_angle"] for place in places))
+        self.assertEqual({len(place["entities"]) for place in places}, {1})
+        self.assertRegex(run.stderr, r"triangles at Face\d, Face\d have angles below the 30 degrees .* small angle")
+
+    def test_an_angle_out_of_reach_is_given_up(self):
+        run = self.run_mesher("cut_ball", "--dimension", 2, "--size", 0.05, "--min-angle", 34)
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"34 degrees .* out of reach on Face\d.* 30 degrees were kept")
+        self.assertGreaterEqual(self.report()["quality"]["min_angle"], 30 - 1e-6)
+
     def test_surfaces_of_solids_that_overlap(self):
         self.target.write_text("precious")
         self.assertEqual(self.run_mesher("crossing_boxes", "--size", 0.3).returncode, 1)

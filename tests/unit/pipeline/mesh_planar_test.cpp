@@ -169,6 +169,50 @@ double shortestEdgeWith(const MeshOptions& options)
 }
 
 /// Chords of the inner circle, of curvature 1, are shorter than those that the shape alone asks for.
+/// A thin triangle with an angle of 10 degrees between its first and last edge.
+PlanarCurveComplex needle()
+{
+    test::PlanarBuilder builder;
+    const std::vector<Vec2> corners = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 0.7053}};
+    builder.polygon(corners, {1, 0});
+    PlanarCurveComplex complex = builder.build();
+    for (std::uint32_t i = 0; i < complex.curves.size(); ++i) complex.curves[i].edge = BrepEdgeId(i);
+    complex.regionNames = {"Face7"};
+    return complex;
+}
+
+TEST(MeshPlanar, TellsTrianglesBesideSmallAnglesInReportAndWarning)
+{
+    RunContext context;
+    const MeshReport report = meshPlanar(needle(), sized(0.3), nullptr, 4, context).report;
+    ASSERT_EQ(report.left.size(), 1u);
+    const LeftElements& left = report.left.front();
+    EXPECT_EQ(left.dimension, 2);
+    EXPECT_EQ(left.entities, (std::vector<std::string>{"Edge1", "Edge3"}));
+    EXPECT_NEAR(left.leastAngle, report.triangleQuality->angle.least(), 1e-9);
+    EXPECT_LT(left.leastAngle, 11.0);
+    EXPECT_NE(left.reason.find("small angle"), std::string::npos);
+    ASSERT_EQ(report.warnings.size(), 1u);
+    EXPECT_NE(report.warnings.front().find("Edge1, Edge3 have angles below the 30 degrees"),
+              std::string::npos)
+        << report.warnings.front();
+    EXPECT_TRUE(meshPlanar(annulus(), sized(0.3), nullptr, 4, context).report.warnings.empty());
+}
+
+TEST(MeshPlanar, GivesUpAnAngleThatIsOutOfReach)
+{
+    MeshOptions options = sized(0.1);
+    options.minAngle = 38.0;
+    RunContext context;
+    const PlanarMeshOutcome outcome = meshPlanar(annulus(), options, nullptr, 4, context);
+    EXPECT_EQ(outcome.report.status, MeshReport::Status::Done);
+    ASSERT_TRUE(outcome.result);
+    EXPECT_LT(outcome.result->mesh.triangles.size(), 20'000u);
+    EXPECT_GE(outcome.report.triangleQuality->angle.least(), 30.0);
+    ASSERT_EQ(outcome.report.warnings.size(), 1u);
+    EXPECT_NE(outcome.report.warnings.front().find("out of reach"), std::string::npos);
+}
+
 TEST(MeshPlanar, KeepsSizesOfCurvesAndPoints)
 {
     MeshOptions options = sized(0.5);

@@ -221,6 +221,31 @@ TEST(RefineVolumeMeasures, AreNotHeldToAnglesThatTheyDoNotSeeUnlessAsked)
     EXPECT_LE(most, 155.0 + 1e-9);
 }
 
+TEST(RefineVolumeMeasures, GivesUpWhatIsOutOfReachSoonAndKeepsTheUsual)
+{
+    const auto refineTo = [](std::optional<double> threshold, SampledSolid& solid) {
+        RefineVolumeOptions options;
+        options.quality.threshold = threshold;
+        return refine(solid, options);
+    };
+    SampledSolid usual = sampledTorus(2.0, 1.0, 20);
+    const RefinedVolume plain = refineTo({}, usual);
+    EXPECT_FALSE(plain.unreachable.has_value());
+    SampledSolid better = sampledTorus(2.0, 1.0, 20);
+    EXPECT_FALSE(refineTo(0.33, better).unreachable.has_value());
+    for (const double threshold : {0.42, 0.6, 0.9}) {
+        SCOPED_TRACE(threshold);
+        SampledSolid solid = sampledTorus(2.0, 1.0, 20);
+        const RefinedVolume result = refineTo(threshold, solid);
+        ASSERT_TRUE(result.unreachable.has_value());
+        EXPECT_GE(result.unreachable->bad, 20U);
+        EXPECT_LT(result.unreachable->best, threshold);
+        EXPECT_LT(result.vertices, 4 * plain.vertices);
+        EXPECT_TRUE(isSound(solid));
+        EXPECT_GT(dihedralRange(solid).least, 18.0);
+    }
+}
+
 TEST(RefineVolumeLimits, EndsAtEachLimitWithASoundMesh)
 {
     const auto stopFor = [](const BudgetLimits& limits) {
