@@ -137,6 +137,24 @@ std::optional<SurfaceFacts> FacetSplitter::findCentre(TriangleId t)
     return facts;
 }
 
+/// The longest side. The middle of that of a flat facet is next to the opposite corner, and the edge between them would be the
+/// first of many: then the longest side of the facet behind it, as long as these grow.
+/// Reference   [rivara1997]
+EdgeLink FacetSplitter::sideToHalve(TriangleId t) const
+{
+    constexpr int kMostSteps = 20;
+    EdgeLink side(t, shapeOf(mesh_, t).longest);
+    if (!isFlatFacet(mesh_, t)) return side;
+    for (int step = 0; step < kMostSteps && !mesh_.segment(side).isValid(); ++step) {
+        const EdgeLink other = mesh_.across(side);
+        if (!other.isValid()) break;
+        const FacetShape behind = shapeOf(mesh_, other.triangle());
+        if (behind.longest == other.edge()) break;
+        side = EdgeLink(other.triangle(), behind.longest);
+    }
+    return side;
+}
+
 FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetNeed need)
 {
     encroached_.clear();
@@ -144,7 +162,7 @@ FacetSplitStatus FacetSplitter::evaluate(TriangleId t, StarExtent extent, FacetN
     const double curvature = squaredCurvatureRadius(t);
     const bool mayHalve = need == FacetNeed::Size || 4.0 * shape.squaredSide[shape.longest] > curvature;
     // Where the surface bends too much for its facets, the middle of the longest edge is always near.
-    const EdgeLink longest(t, shape.longest);
+    const EdgeLink longest = sideToHalve(t);
     const auto halve = [&] {
         return mayHalve ? evaluateMiddleOf(longest, extent) : FacetSplitStatus::NotFound;
     };

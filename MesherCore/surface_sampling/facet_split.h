@@ -69,6 +69,7 @@ public:
 
 private:
     [[nodiscard]] Vec2 nearImage(TriangleId t, Vec2 uv) const;
+    [[nodiscard]] EdgeLink sideToHalve(TriangleId t) const;
     [[nodiscard]] EdgeLink nearestSide(TriangleId t, const Vec3& point) const;
     [[nodiscard]] double squaredCurvatureRadius(TriangleId t) const;
     [[nodiscard]] std::optional<SurfaceFacts> findCentre(TriangleId t);

@@ -259,9 +259,13 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
     if (status == FacetSplitStatus::NotFound && isTryingAgain_ && criteria_.hidesSurface(mesh_, t))
         status = splitter_.evaluateSteep(t, StarExtent::Delaunay);
     if (status == FacetSplitStatus::Ready) {
+        const std::uint16_t generation = record.generation;
         const VertexId v = splitter_.star().commit();
         mesh_.vertex(v).isOnShell = isLocked;
         queueMade(splitter_.star().made());
+        // It may have been a facet behind it that was split.
+        const FaceTriangle& left = mesh_.triangle(t);
+        if (left.isAlive && left.generation == generation) queueTriangle(t);
         ++(need == FacetNeed::Size ? counts_.sizeInsertions : counts_.qualityInsertions);
         return;
     }
