@@ -1,5 +1,7 @@
 #include "pipeline/model_check.h"
 
+#include "brep/face_distance.h"
+
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -10,12 +12,6 @@ namespace {
 
 constexpr double kTolerance = 1e-7;
 
-struct Distance
-{
-    double distance = 0.0;
-    double tolerance = 0.0;
-};
-
 bool isInModel(EntityRef entity, const BrepModel& model)
 {
     const std::array<std::size_t, 4> counts = {model.vertices.size(), model.edges.size(), model.faces.size(),
@@ -25,25 +21,20 @@ bool isInModel(EntityRef entity, const BrepModel& model)
 }
 
 /// Of a node from its own vertex, edge or face; nothing inside of a solid.
-std::optional<Distance> distanceOf(const MeshNode& node, const BrepModel& model)
+std::optional<FaceDistance> distanceOf(const MeshNode& node, const BrepModel& model)
 {
     if (node.entity.index == EntityRef::kNone) return std::nullopt;
     if (node.entity.dimension == 0) {
         const BrepVertex& vertex = model.vertices[BrepVertexId(node.entity.index)];
-        return Distance{length(node.position - vertex.position), vertex.tolerance};
+        return FaceDistance{length(node.position - vertex.position), vertex.tolerance};
     }
     if (node.entity.dimension == 1) {
         const BrepEdge& edge = model.edges[BrepEdgeId(node.entity.index)];
         if (edge.isDegenerate) return std::nullopt;
-        return Distance{edge.curve->project(node.position, edge.part).distance, edge.tolerance};
+        return FaceDistance{edge.curve->project(node.position, edge.part).distance, edge.tolerance};
     }
     if (node.entity.dimension == 2) {
-        const BrepFace& face = model.faces[BrepFaceId(node.entity.index)];
-        double distance = face.surface->project(node.position).distance;
-        // Every point of the surface bounds the distance; a search without a seed may miss the nearest one.
-        if (distance > std::max(kTolerance, face.tolerance))
-            distance = std::min(distance, face.surface->project(node.position, node.parameters).distance);
-        return Distance{distance, face.tolerance};
+        return distanceFromFace(model, BrepFaceId(node.entity.index), node.position, node.parameters);
     }
     return std::nullopt;
 }
@@ -106,8 +97,8 @@ public:
         if (node.entity == EntityRef{2, f.value}) return true;
         const std::vector<EntityRef>& own = entities_[f];
         if (std::binary_search(own.begin(), own.end(), node.entity)) return true;
-        const BrepFace& face = model_.faces[f];
-        return face.surface->project(node.position).distance <= std::max(kTolerance, face.tolerance);
+        const FaceDistance found = distanceFromFace(model_, f, node.position);
+        return found.distance <= std::max(kTolerance, found.tolerance);
     }
 
 private:
@@ -149,7 +140,7 @@ ModelCheckReport checkAgainstModel(const ClassifiedMesh& mesh, const BrepModel& 
             ++report.unknownEntities;
             continue;
         }
-        const std::optional<Distance> found = distanceOf(node, model);
+        const std::optional<FaceDistance> found = distanceOf(node, model);
         if (!found) continue;
         if (!(found->distance <= std::max(kTolerance, found->tolerance))) ++report.nodesOff;
         double& largest = report.largestDistance[node.entity.dimension];

@@ -110,6 +110,11 @@ FaceFlips restoreSurfaceDelaunay(FaceMesh& mesh, const FaceGeometry& geometry, s
     return result;
 }
 
+BudgetLimits flipLimits(const FaceMesh& mesh)
+{
+    return {.maxOperations = 1000 + 100 * mesh.triangleCount(), .maxTime = {}};
+}
+
 FaceFlips makeSurfaceDelaunay(FaceMesh& mesh, const FaceGeometry& geometry, Budget& budget)
 {
     std::vector<EdgeLink> sides;

@@ -38,6 +38,8 @@ struct FaceFlips
 /// Reference    [lawson1977]; thesis §3.3.2.3
 FaceFlips restoreSurfaceDelaunay(FaceMesh& mesh, const FaceGeometry& geometry, std::vector<EdgeLink> suspects,
                                  Budget& budget);
+/// Flips of folded facets could go round; this is far more than a sound mesh needs.
+[[nodiscard]] BudgetLimits flipLimits(const FaceMesh& mesh);
 /// The same for all edges of the mesh.
 FaceFlips makeSurfaceDelaunay(FaceMesh& mesh, const FaceGeometry& geometry, Budget& budget);
 

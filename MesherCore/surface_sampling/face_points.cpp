@@ -26,7 +26,7 @@ bool isNearer(const Triangulation2d& mesh, TriangleId t, Vec2 p, double squaredD
 
 /// Is there a corner or a piece nearer than a share of the longest side about the point? The triangle's neighbours have a say,
 /// since the nearest corner may lie just beyond a side.
-bool isCramped(const Triangulation2d& mesh, TriangleId t, Vec2 p, double share)
+bool isCramped(const Triangulation2d& mesh, TriangleId t, Vec2 p, double share, double distance)
 {
     double longest = 0.0;
     for (unsigned k = 0; k < 3; ++k) {
@@ -34,7 +34,7 @@ bool isCramped(const Triangulation2d& mesh, TriangleId t, Vec2 p, double share)
         longest = std::max(
             longest, squaredLength(mesh.position(mesh.edgeFrom(side)) - mesh.position(mesh.edgeTo(side))));
     }
-    const double least = share * share * longest;
+    const double least = std::max(share * share * longest, distance * distance);
     if (isNearer(mesh, t, p, least)) return true;
     for (unsigned k = 0; k < 3; ++k) {
         const EdgeLink side(t, k);
@@ -48,14 +48,14 @@ bool isCramped(const Triangulation2d& mesh, TriangleId t, Vec2 p, double share)
 }  // namespace
 
 std::optional<VertexId> insertFacePoint(const BrepFace& face, Vec2 uv, TriangleId hint, FaceTriangulation& t,
-                                        double clearance)
+                                        double clearance, double leastDistance)
 {
     const Vec2 plane = t.scaling.toPlane(uv);
     const Location2d location = t.delaunay.locate(plane, hint);
     const bool isFree = location.kind == Location2d::Kind::InTriangle ||
                         (location.kind == Location2d::Kind::OnEdge && !t.mesh().isConstrained(location.edge));
     if (!isFree || !t.isInside(location.triangle())) return std::nullopt;
-    if (isCramped(t.mesh(), location.triangle(), plane, clearance)) return std::nullopt;
+    if (isCramped(t.mesh(), location.triangle(), plane, clearance, leastDistance)) return std::nullopt;
     const SurfacePoint exact = face.surface->evaluate(uv);
     if (!isFinite(exact.position)) return std::nullopt;
     auto inserted = t.delaunay.insert(plane, location.triangle());

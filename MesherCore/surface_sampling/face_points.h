@@ -7,10 +7,10 @@
 namespace mesher {
 
 /// Inserts the surface's point at these parameters; `hint` is a triangle near it. Nothing is inserted if it falls outside of
-/// the face, or nearer to a vertex or a piece of the outline than a share `clearance` of the longest side there: between two
-/// points that are one but for rounding there is no facet that knows its normal.
+/// the face, or nearer to a vertex or a piece of the outline than a share `clearance` of the longest side there, or than
+/// `leastDistance` in the plane: between two points that are one but for rounding there is no facet that knows its normal.
 std::optional<VertexId> insertFacePoint(const BrepFace& face, Vec2 uv, TriangleId hint, FaceTriangulation& t,
-                                        double clearance = 1e-6);
+                                        double clearance = 1e-6, double leastDistance = 0.0);
 
 /// Inserts a further image of a pole on the pole's line, level with `other`, so that they can be joined by a straight side.
 /// Nothing is inserted if there is one, or if rounding puts it off the line.

@@ -43,6 +43,13 @@ public:
     {
         cosine_ = std::cos(options.maxNormalDeviation * std::numbers::pi / 180.0);
         floor_ = std::max(kFloorShare * t.size, 10.0 * face.tolerance);
+        edgesAt_.resize(t.mesh().vertexSlots());
+        for (const auto& [ends, index] : t.pieceOf) {
+            const SegmentId segment = outline.pieces[index].segment;
+            if (!segment.isValid()) continue;
+            edgesAt_[ends.first].push_back(chains.segments()[segment].edge);
+            edgesAt_[ends.second].push_back(chains.segments()[segment].edge);
+        }
     }
 
     FaceRefinement run()
@@ -186,9 +193,44 @@ private:
         if (sideLength(side.triangle(), side.edge()) < floor_) return false;
         const VertexId a = t_.mesh().edgeFrom(side), b = t_.mesh().edgeTo(side);
         if (!t_.mesh().isConstrained(side))
-            return insertAt(middleOf(t_.points[a], t_.points[b]), side.triangle());
+            return replaceFlat(side) || insertAt(middleOf(t_.points[a], t_.points[b]), side.triangle());
         const OutlinePiece* piece = pieceAt(side);
         return piece != nullptr && name(piece->segment);
+    }
+
+    /// A triangle between nodes of one edge that is flat at a side gives way to a point as far beyond that side as makes a right
+    /// angle, which lies in its circle. The middle of the side would be as near to the edge as the triangle is flat: along a rim
+    /// that runs with the parameters such points come ever nearer to it.
+    bool replaceFlat(EdgeLink side)
+    {
+        constexpr double kFlat = 0.12, kClearance = 0.25, kRounding = 1e-6;
+        const Triangulation2d& mesh = t_.mesh();
+        const TriangleId flat = side.triangle(), beyond = mesh.across(side).triangle();
+        if (!liesOnOneEdge(flat)) return false;
+        const Vec2 a = mesh.position(mesh.edgeFrom(side)), along = mesh.position(mesh.edgeTo(side)) - a;
+        const Vec2 up = mesh.position(mesh.apex(side)) - a;
+        const double height = cross(along, up), share = dot(along, up), square = squaredLength(along);
+        if (!(height < kFlat * square && share > 0.0 && share < square)) return false;
+        const std::uint16_t generation = mesh.triangle(flat).generation;
+        const Vec2 uv = t_.scaling.toParameters(a + 0.5 * along + 0.5 * Vec2{along.y, -along.x});
+        if (isOnPiece(face_, t_, uv, beyond)) return false;
+        const auto vertex = insertFacePoint(face_, uv, beyond, t_, kRounding, kClearance * length(along));
+        if (!vertex) return false;
+        enqueueAround(*vertex);
+        return !mesh.isAlive(flat) || mesh.triangle(flat).generation != generation;
+    }
+
+    [[nodiscard]] bool liesOnOneEdge(TriangleId t) const
+    {
+        const auto& v = t_.mesh().triangle(t).v;
+        const auto isOn = [&](VertexId vertex, BrepEdgeId edge) {
+            if (vertex.value >= edgesAt_.size()) return false;
+            return std::find(edgesAt_[vertex].begin(), edgesAt_[vertex].end(), edge) !=
+                   edgesAt_[vertex].end();
+        };
+        if (v[0].value >= edgesAt_.size()) return false;
+        return std::any_of(edgesAt_[v[0]].begin(), edgesAt_[v[0]].end(),
+                           [&](BrepEdgeId edge) { return isOn(v[1], edge) && isOn(v[2], edge); });
     }
 
     /// The piece of a segment, none along a pole.
@@ -284,7 +326,8 @@ private:
     FaceTriangulation& t_;
     double cosine_ = 0.5;
     double floor_ = 0.0;
-    std::vector<QueuedTriangle> queue_;  ///< first in, first out
+    IdVector<VertexId, std::vector<BrepEdgeId>> edgesAt_;  ///< of the outline's vertices
+    std::vector<QueuedTriangle> queue_;                    ///< first in, first out
     std::size_t next_ = 0;
     Phase phase_ = Phase::Chains;
     FaceRefinement result_;

@@ -13,6 +13,11 @@ public:
     explicit FaceScaling(const BrepFace& face);
 
     [[nodiscard]] Vec2 toPlane(Vec2 uv) const { return {xu_ * uv.x + xv_ * uv.y, yv_ * uv.y}; }
+    [[nodiscard]] Vec2 toParameters(Vec2 place) const
+    {
+        const double v = place.y / yv_;
+        return {(place.x - xv_ * v) / xu_, v};
+    }
 
 private:
     double xu_ = 1.0;

@@ -245,8 +245,7 @@ void SampledFaces::prepareFaces(SamplingRounds& result, RunContext& context)
     const std::vector<SampledFace*> faces = activeFaces();
     std::vector<std::size_t> flips(faces.size());
     forEachInParallel(faces.size(), context.threads(), [&](std::size_t i) {
-        // Flips of folded facets could go round; this is far more than a sound mesh needs.
-        Budget budget({.maxOperations = 1000 + 100 * faces[i]->mesh.triangleCount(), .maxTime = {}}, context);
+        Budget budget(flipLimits(faces[i]->mesh), context);
         flips[i] = makeSurfaceDelaunay(faces[i]->mesh, faces[i]->geometry, budget).flips;
         faces[i]->refiner.queueAll();
         faces[i]->refiner.proposeSegments();
@@ -254,11 +253,11 @@ void SampledFaces::prepareFaces(SamplingRounds& result, RunContext& context)
     for (const std::size_t count : flips) result.flips += count;
 }
 
-bool SampledFaces::queueGivenUp()
+bool SampledFaces::queueGivenUp(RunContext& context)
 {
     bool isAny = false;
     for (const auto& face : faces_) {
-        if (!face || !face->refiner.queueGivenUp()) continue;
+        if (!face || !face->refiner.queueGivenUp(context)) continue;
         face->isActive = true;
         isAny = true;
     }
@@ -322,7 +321,7 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
         proposals = takeProposals();
         if (result.stopReason != StopReason::Done) break;
         if (proposals.empty()) {
-            if (sweeps++ >= kMostSweeps || !queueGivenUp()) break;
+            if (sweeps++ >= kMostSweeps || !queueGivenUp(context)) break;
             continue;
         }
         if (result.rounds++ >= maxRounds) {

@@ -103,7 +103,7 @@ private:
                       RunContext& context);
     void prepareFaces(SamplingRounds& result, RunContext& context);
     [[nodiscard]] std::vector<SegmentId> takeProposals();
-    bool queueGivenUp();
+    bool queueGivenUp(RunContext& context);
     void split(std::vector<SegmentId> segments, SamplingRounds& result, unsigned threads);
     [[nodiscard]] std::vector<SampledFace*> activeFaces() const;
 

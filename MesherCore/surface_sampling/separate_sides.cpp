@@ -29,6 +29,10 @@ public:
         for (const auto& [a, b] : doomed_) {
             const EdgeLink side = t_.mesh().findEdge(a, b);
             if (!side.isValid()) continue;
+            if (turnAtPole(side)) {
+                isChanged = true;
+                continue;
+            }
             const Vec2 uv = middleOf(t_.points[a], t_.points[b]);
             isChanged = insertFacePoint(face_, uv, side.triangle(), t_).has_value() || isChanged;
         }
@@ -51,6 +55,20 @@ private:
             if (a.isPole && b.isPole && a.node == b.node) return true;
         }
         return false;
+    }
+
+    /// A curve that ends in a pole is a side there itself, not another image of the pole joined to its node: the other diagonal is
+    /// held. A point in the middle would lie beside the curve's last segment, nearer to the pole than any other.
+    bool turnAtPole(EdgeLink side)
+    {
+        const FacePoint &from = t_.points[t_.mesh().edgeFrom(side)], &to = t_.points[t_.mesh().edgeTo(side)];
+        if (from.isPole == to.isPole) return false;
+        const VertexId near = t_.mesh().apex(side), far = t_.mesh().apex(t_.mesh().across(side));
+        if (isGhost(near) || isGhost(far)) return false;
+        const NodeId pole = from.isPole ? from.node : to.node;
+        const auto isImage = [&](VertexId v) { return t_.points[v].isPole && t_.points[v].node == pole; };
+        if (isImage(near) == isImage(far)) return false;
+        return t_.delaunay.recoverSegment(near, far).hasValue() && t_.delaunay.lastSegment().size() == 2;
     }
 
     template <class Visit>

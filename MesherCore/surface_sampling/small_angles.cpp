@@ -134,7 +134,7 @@ private:
         for (std::size_t leader = 0; leader < ends.size(); ++leader) {
             if (smallest[leader] >= CurveChains::kSmallAngleLimit || group[leader] != leader) continue;
             const AngleComplexId complex = chains_.smallAngles_.push_back(
-                {apex, {}, smallest[leader], 0, !tipsOf_[apex].empty() && isWhole(group, leader)});
+                {apex, {}, smallest[leader], 0, hasAllTips(apex, ends, group, leader)});
             for (std::size_t i = leader; i < ends.size(); ++i) {
                 if (group[i] == leader) enrol(ends[i], complex);
             }
@@ -157,10 +157,23 @@ private:
         }
     }
 
-    /// One shell for all tips of a vertex: else those of one would not be those of the other.
-    static bool isWhole(const std::vector<std::size_t>& group, std::size_t leader)
+    /// One shell for all tips of a vertex: else those of one would not be those of the other. Edges that go elsewhere do not count.
+    [[nodiscard]] bool hasAllTips(BrepVertexId apex, const std::vector<EdgeEnd>& ends,
+                                  const std::vector<std::size_t>& group, std::size_t leader) const
     {
-        return std::all_of(group.begin(), group.end(), [&](std::size_t g) { return g == leader; });
+        const std::vector<EdgesAtTip>& tips = tipsOf_[apex];
+        const auto isAtTip = [&](BrepEdgeId edge) {
+            return std::any_of(tips.begin(), tips.end(), [&](const EdgesAtTip& tip) {
+                return std::binary_search(tip.edges.begin(), tip.edges.end(), edge);
+            });
+        };
+        bool isAny = false;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            if (!isAtTip(chains_.segments_[ends[i].segment].edge)) continue;
+            if (group[i] != leader) return false;
+            isAny = true;
+        }
+        return isAny;
     }
 
     void enrol(const EdgeEnd& end, AngleComplexId complex)

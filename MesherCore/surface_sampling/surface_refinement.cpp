@@ -100,17 +100,21 @@ void FaceRefiner::queueAll()
     }
 }
 
-bool FaceRefiner::queueGivenUp()
+bool FaceRefiner::queueGivenUp(RunContext& context)
 {
     if (!std::exchange(hasGivenUp_, false)) return false;
+    // Among coarse facets, edges could not be flipped without a fold, that can be now; a fan of needles at one node may stay else.
+    Budget budget(flipLimits(mesh_), context);
+    const bool isChanged = makeSurfaceDelaunay(mesh_, geometry_, budget).flips > 0;
     bool isAny = false;
     isTryingAgain_ = true;
     for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
         FaceTriangle& record = mesh_.triangle(TriangleId(i));
-        if (!record.isAlive || record.left != FacetLeft::Resolution) continue;
-        record.left = FacetLeft::No;
-        queueTriangle(TriangleId(i));
-        isAny = true;
+        if (!record.isAlive) continue;
+        const bool isGivenUp = record.left == FacetLeft::Resolution;
+        if (isGivenUp) record.left = FacetLeft::No;
+        if (isGivenUp || isChanged) queueTriangle(TriangleId(i));
+        isAny = isAny || isGivenUp || isChanged;
     }
     return isAny;
 }

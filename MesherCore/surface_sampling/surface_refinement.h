@@ -3,6 +3,7 @@
 #include "base/backlog_watch.h"
 #include "base/bucket_queue.h"
 #include "base/budget.h"
+#include "base/run_context.h"
 #include "base/stop_reason.h"
 #include "surface_sampling/face_mesh.h"
 #include "surface_sampling/face_replacement.h"
@@ -103,8 +104,9 @@ public:
     void queueAll();
     /// The face is a strip around a wall, on which flat facets are left as they are: neither these nor quality split segments.
     void leaveFlat() { leavesFlat_ = true; }
-    /// Those that were given up, since what is around them has changed. False if there are none that are new.
-    bool queueGivenUp();
+    /// Those that were given up, since what is around them has changed, among facets made locally Delaunay where coarse ones
+    /// could not be. False if there are none that are new.
+    bool queueGivenUp(RunContext& context);
 
     /// Whether the angle asked for was out of reach and the default was kept in its place.
     [[nodiscard]] double minAngle() const { return criteria_.minAngle(); }

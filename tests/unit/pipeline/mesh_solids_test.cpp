@@ -73,6 +73,30 @@ TEST(ModelCheck, SeesATriangleThatNamesAnotherFace)
     EXPECT_EQ(checkAgainstModel(mesh, model).trianglesOff, 1u);
 }
 
+TEST(ModelCheck, SeesANodeBeyondTheEdgesOfItsFace)
+{
+    const BrepModel model = *makeCylinder({}, 1.0, 2.0);
+    MeshOptions options;
+    options.size = 0.5;
+    RunContext context;
+    const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+    ASSERT_TRUE(outcome.mesh);
+    for (const std::uint32_t face : {0u, 1u, 2u}) {
+        ClassifiedMesh mesh = *outcome.mesh;
+        const auto node = std::find_if(mesh.nodes.begin(), mesh.nodes.end(), [&](const MeshNode& n) {
+            return n.entity == EntityRef{2, face};
+        });
+        ASSERT_NE(node, mesh.nodes.end());
+        // Up the wall beyond its rim, or in the plane of an end beyond its circle.
+        const Vec3 there =
+            face == 0 ? Vec3{node->position.x, node->position.y, 2.25} : Vec3{1.25, 0.0, 2.0 * (face - 1)};
+        node->position = there;
+        const ModelCheckReport check = checkAgainstModel(mesh, model);
+        EXPECT_EQ(check.nodesOff, 1u) << "face " << face;
+        EXPECT_NEAR(check.largestDistance[2], 0.25, 1e-9);
+    }
+}
+
 TEST(MeshSolids, NamesTheFacesWhereASolidCrossesItself)
 {
     MeshOptions options;

@@ -192,7 +192,7 @@ TEST(SurfaceRefinement, GetsIntoAFoldThatFacetsBridge)
     refiner.queueAll();
     for (int sweep = 0; sweep < 3; ++sweep) {
         EXPECT_EQ(refiner.refine(budget), StopReason::Done);
-        refiner.queueGivenUp();
+        refiner.queueGivenUp(context);
     }
     EXPECT_EQ(checkFaceMesh(*mesh, geometry).report.problem, "");
     // Beside the frozen ends facets still bridge the ridge.
