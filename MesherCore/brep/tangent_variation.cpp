@@ -144,10 +144,10 @@ double TangentVariation::equalSplit(double t0, double t1) const
 
 double TangentVariation::balancedSplit(double t0, double t1) const
 {
-    constexpr double kLeastShare = 0.125;
-    constexpr double kHardlyTurning = 2.0 * std::numbers::pi / 180.0;
+    constexpr double kLeastShare = 0.35;
+    constexpr double kEnoughTurning = 46.0 * std::numbers::pi / 180.0;
     const double split = equalSplit(t0, t1);
-    if (isCorner(split) || variation(t0, t1) > kHardlyTurning) return split;
+    if (isCorner(split) || variation(t0, t1) > kEnoughTurning) return split;
     const double share = arcLength(t0, split) / arcLength(t0, t1);
     if (share < kLeastShare) return strictlyInside(parameterAtLengthFraction(t0, t1, kLeastShare), t0, t1);
     if (share > 1.0 - kLeastShare)

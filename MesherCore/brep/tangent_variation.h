@@ -55,9 +55,9 @@ public:
     /// Halves the variation of [t0, t1]: at a corner if that carries the middle, in the middle of a straight piece if that
     /// joins two equal halves, by arc length if all is straight.
     [[nodiscard]] double equalSplit(double t0, double t1) const;
-    /// The same where the part turns by more than 2 degrees; else no half is shorter than an eighth of the whole, unless it is at
-    /// a corner. Equal splits of a piece that turns at its one end and is straight beyond run to the end of the turn without ever
-    /// coming past it.
+    /// The same where the part turns by more than 46 degrees; else no half is shorter than 0.35 of the whole, unless it is at a
+    /// corner. Equal splits of a piece whose curvature grows towards one end make ever shorter pieces there, a third of the one
+    /// before each, which no angle of a facet can do with; and where all beyond is straight, they never come past the turn.
     [[nodiscard]] double balancedSplit(double t0, double t1) const;
     [[nodiscard]] double parameterAtLengthFraction(double t0, double t1, double fraction) const;
 

@@ -121,18 +121,34 @@ TEST(TangentVariation, SplitsAStraightPieceBetweenEqualTurnsInItsMiddle)
     EXPECT_NEAR(turning.parameterAtLengthFraction(0.0, 6.0, 0.5), 3.0, 1e-10);
 }
 
-TEST(TangentVariation, SplitsBalancedWhereThereIsHardlyATurnBesideAStraightPiece)
+TEST(TangentVariation, SplitsBalancedWhereALittleTurnIsBesideAStraightPiece)
 {
     const TangentVariation turning(arcLineArc(), {0.0, 6.0});
-    // The line is [1, 5]. Nothing is moved that is balanced as it is.
+    // The line is [1, 5]. Nothing is moved that is balanced as it is, or turns much.
     EXPECT_EQ(turning.balancedSplit(0.0, 6.0), turning.equalSplit(0.0, 6.0));
     EXPECT_EQ(turning.balancedSplit(0.2, 0.8), turning.equalSplit(0.2, 0.8));
-    EXPECT_EQ(turning.balancedSplit(0.9, 5.0), turning.equalSplit(0.9, 5.0));
-    EXPECT_LT(turning.equalSplit(0.99, 5.0), 1.0);
-    const double split = turning.balancedSplit(0.99, 5.0);
-    EXPECT_NEAR(turning.arcLength(0.99, split), 0.125 * turning.arcLength(0.99, 5.0), 1e-9);
-    const double mirrored = turning.balancedSplit(1.0, 5.01);
-    EXPECT_NEAR(turning.arcLength(mirrored, 5.01), 0.125 * turning.arcLength(1.0, 5.01), 1e-9);
+    EXPECT_EQ(turning.balancedSplit(0.0, 5.0), turning.equalSplit(0.0, 5.0));
+    EXPECT_LT(turning.equalSplit(0.9, 5.0), 1.0);
+    const double split = turning.balancedSplit(0.9, 5.0);
+    EXPECT_NEAR(turning.arcLength(0.9, split), 0.35 * turning.arcLength(0.9, 5.0), 1e-9);
+    const double mirrored = turning.balancedSplit(1.0, 5.1);
+    EXPECT_NEAR(turning.arcLength(mirrored, 5.1), 0.35 * turning.arcLength(1.0, 5.1), 1e-9);
+}
+
+/// Outlines of letters have such ends: each half by turning alone is a fifth of the one before.
+TEST(TangentVariation, HalvesDoNotRunToAnEndOfGrowingCurvature)
+{
+    const TangentVariation turning(
+        spline({{0.0, 0.0, 0.0}, {0.002, 0.0004, 0.0}, {1.0, 0.6, 0.0}}, 2, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}),
+        {0.0, 1.0});
+    EXPECT_LT(turning.totalVariation(), 0.5);
+    double byTurning = 1.0, balanced = 1.0;
+    for (int i = 0; i < 4; ++i) {
+        byTurning = turning.equalSplit(0.0, byTurning);
+        balanced = turning.balancedSplit(0.0, balanced);
+    }
+    EXPECT_LT(turning.arcLength(0.0, byTurning), 2e-3 * turning.totalLength());
+    EXPECT_GT(turning.arcLength(0.0, balanced), 0.014 * turning.totalLength());
 }
 
 TEST(TangentVariation, SplitsAtACornerHoweverNearAnEnd)

@@ -82,7 +82,7 @@ TEST(OcctFacetCount, FollowsTheSizesOnFlatEllipsoids)
         ASSERT_TRUE(sample);
         const FacetCount count = countOf(*sample->surface);
         EXPECT_LT(count.made, 2.5 * count.asked);
-        EXPECT_GT(count.shortestEdge, 0.25 * count.smallestSize);
+        EXPECT_GT(count.shortestEdge, 0.2 * count.smallestSize);
     }
 }
 
