@@ -58,7 +58,7 @@ MeshPanel::MeshPanel(QWidget* parent)
       curvature_(named(new QSpinBox(this), "curvature")),
       sag_(lengthBox("sag", tr("off"), tr("Largest distance of an edge from its curve or face"), this)),
       improve_(named(new QCheckBox(tr("Improve afterwards"), this), "improve")),
-      overlap_(named(new QCheckBox(tr("Allow solids to overlap"), this), "allowOverlap")),
+      overlap_(named(new QCheckBox(tr("Refuse solids that overlap"), this), "refuseOverlap")),
       localSizes_(new LocalSizeTable(this)),
       estimate_(wrappedLabel("estimate", this)),
       mesh_(named(new QPushButton(tr("Mesh"), this), "meshButton")),
@@ -96,7 +96,7 @@ QGroupBox* MeshPanel::sizeGroup()
     form->addRow(tr("Chord deviation"), sag_);
     form->addRow(localSizes_);
     form->addRow(improve_);
-    overlap_->setToolTip(tr("Mesh solids that overlap each for itself instead of refusing them"));
+    overlap_->setToolTip(tr("Solids that overlap end the run, instead of being meshed each for itself"));
     form->addRow(overlap_);
     return group;
 }
@@ -149,8 +149,11 @@ double MeshPanel::sag() const { return sag_->value(); }
 void MeshPanel::setSag(double value) { sag_->setValue(value); }
 bool MeshPanel::isImproved() const { return improve_->isChecked(); }
 void MeshPanel::setImproved(bool value) { improve_->setChecked(value); }
-bool MeshPanel::allowsOverlap() const { return overlap_->isChecked(); }
-void MeshPanel::setAllowsOverlap(bool value) { overlap_->setChecked(value); }
+QString MeshPanel::overlap() const
+{
+    return overlap_->isChecked() ? QStringLiteral("refuse") : QStringLiteral("separate");
+}
+void MeshPanel::setOverlap(const QString& value) { overlap_->setChecked(value == QStringLiteral("refuse")); }
 QVariantMap MeshPanel::localSizes() const { return localSizes_->sizes(); }
 void MeshPanel::setLocalSizes(const QVariantMap& sizes) { localSizes_->setSizes(sizes); }
 QString MeshPanel::estimate() const { return estimate_->text(); }

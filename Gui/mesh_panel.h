@@ -27,7 +27,7 @@ class MeshPanel : public QWidget
     Q_PROPERTY(int curvature READ curvature WRITE setCurvature)  ///< elements in a full turn, 0 for none
     Q_PROPERTY(double sag READ sag WRITE setSag)
     Q_PROPERTY(bool improve READ isImproved WRITE setImproved)
-    Q_PROPERTY(bool allowOverlap READ allowsOverlap WRITE setAllowsOverlap)
+    Q_PROPERTY(QString overlap READ overlap WRITE setOverlap)
     Q_PROPERTY(QVariantMap localSizes READ localSizes WRITE setLocalSizes)  ///< name to millimetres
     Q_PROPERTY(QString estimate READ estimate WRITE setEstimate)
     Q_PROPERTY(bool running READ isRunning WRITE setRunning)
@@ -50,8 +50,9 @@ public:
     void setSag(double value);
     [[nodiscard]] bool isImproved() const;
     void setImproved(bool value);
-    [[nodiscard]] bool allowsOverlap() const;
-    void setAllowsOverlap(bool value);
+    /// "separate" or "refuse".
+    [[nodiscard]] QString overlap() const;
+    void setOverlap(const QString& value);
     [[nodiscard]] QVariantMap localSizes() const;
     void setLocalSizes(const QVariantMap& sizes);
     [[nodiscard]] QString estimate() const;

@@ -37,6 +37,19 @@ Setter setterOf(Member member)
     };
 }
 
+void setOverlap(MeshOptions& options, py::handle value)
+{
+    const std::string name = valueOf<std::string>(value);
+    const std::optional<OverlapChoice> choice = overlapChoiceOf(name);
+    if (!choice)
+        raise("OptionError", {ErrorCode::InvalidArgument,
+                              "'" + name + "' is no way with solids that overlap",
+                              "overlap",
+                              {},
+                              "give separate or refuse"});
+    options.overlap = *choice;
+}
+
 void setMeasure(MeshOptions& options, py::handle value)
 {
     const std::string key = valueOf<std::string>(value);
@@ -155,7 +168,7 @@ const std::map<std::string, Setter>& setters()
         {"threads", setterOf(&MeshOptions::threads)},
         {"max_elements", setterOf(&MeshOptions::maxElements)},
         {"max_wall_elements", setterOf(&MeshOptions::maxWallElements)},
-        {"allow_overlap", setterOf(&MeshOptions::allowsOverlap)},
+        {"overlap", setOverlap},
         {"timeout", setterOf(&MeshOptions::timeout)},
         {"check", setterOf(&MeshOptions::isChecked)},
     };

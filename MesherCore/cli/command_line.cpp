@@ -58,8 +58,9 @@ po::options_description meshingOptions()
     add("order", po::value<std::string>(), "of elements, 1 or 2 (default 1)");
     add("threads", po::value<std::string>(), "the mesh does not depend on it (default 1)");
     add("max-elements", po::value<std::string>(), "the run ends there (default 50000000)");
-    add("allow-overlap", po::bool_switch(),
-        "mesh solids that overlap, each for itself, instead of refusing them");
+    add("overlap", po::value<std::string>(),
+        "of solids: separate meshes each for itself, with a warning, refuse fails the run (default "
+        "separate)");
     add("max-wall-elements", po::value<std::string>(),
         "that thin walls may take; walls that take more get flat ones (default 1000000)");
     add("timeout", po::value<std::string>(), "seconds after which the run ends");
@@ -122,7 +123,11 @@ void readMeshOptions(OptionReader& reader, MeshOptions& options)
     reader.read("threads", options.threads);
     reader.read("max-elements", options.maxElements);
     reader.read("max-wall-elements", options.maxWallElements);
-    options.allowsOverlap = reader.isSet("allow-overlap");
+    std::string overlap(nameOf(options.overlap));
+    reader.read("overlap", overlap);
+    const std::optional<OverlapChoice> choice = overlapChoiceOf(overlap);
+    if (!choice) reader.fail(usageError("--overlap is separate or refuse, not '" + overlap + "'"));
+    options.overlap = choice.value_or(OverlapChoice::Separate);
     reader.read("timeout", options.timeout);
 }
 

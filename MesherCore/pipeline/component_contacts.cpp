@@ -1,10 +1,13 @@
 #include "pipeline/component_contacts.h"
 
+#include "pipeline/common_volume.h"
 #include "pipeline/component_surface.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_contacts.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,12 +32,14 @@ double toleranceBetween(const ComponentSurface& a, const ComponentSurface& b)
     return std::max(kContactShare * size, largestTolerance(a.model()) + largestTolerance(b.model()));
 }
 
-std::string namesOf(const SampledComponent& a, const SampledComponent& b, const SolidContact& contact)
+SolidOverlap pairOf(const SampledComponent& a, const SampledComponent& b, const SolidContact& contact)
 {
     const EntityRef first = a.component->inWhole(EntityRef{3, contact.first.value});
     const EntityRef second = b.component->inWhole(EntityRef{3, contact.second.value});
-    return nameOf(std::min(first, second)) + " and " + nameOf(std::max(first, second));
+    return {std::min(first, second), std::max(first, second), contact.place};
 }
+
+std::string namesOf(const SolidOverlap& pair) { return nameOf(pair.first) + " and " + nameOf(pair.second); }
 
 void warn(const Error& error, MeshReport& report)
 {
@@ -43,24 +48,28 @@ void warn(const Error& error, MeshReport& report)
     report.warnings.push_back(std::move(clause));
 }
 
-void tell(const SolidContact& contact, const std::string& names, MeshReport& report)
+void tellTouch(const SolidOverlap& pair, MeshReport& report)
 {
-    if (!contact.isOverlap) {
-        warn({ErrorCode::InvalidArgument,
-              "the solids touch without a common face, so their meshes do not fit together there", names,
-              contact.place, "make them share it, by boolean fragments for one"},
-             report);
-        return;
-    }
-    Error overlap = {ErrorCode::IntersectingConstraints, "the solids overlap", names, contact.place,
-                     "cut one from the other or fuse them in the CAD program"};
-    if (report.options.allowsOverlap) {
-        overlap.message += ", and each has a mesh of its own there";
-        warn(overlap, report);
-    } else {
-        overlap.remedy += ", or allow overlap, which gives each a mesh of its own";
-        fail(report, overlap);
-    }
+    warn({ErrorCode::InvalidArgument,
+          "the solids touch without a common face, so their meshes do not fit together there", namesOf(pair),
+          pair.place, "make them share it, by boolean fragments for one"},
+         report);
+}
+
+constexpr const char* kApart = "cut one from the other or fuse them in the CAD program";
+
+void refuse(const SolidOverlap& pair, MeshReport& report)
+{
+    fail(report, {ErrorCode::IntersectingConstraints, "the solids overlap", namesOf(pair), pair.place,
+                  std::string(kApart) + ", or leave --overlap as it is, which gives each a mesh of its own"});
+}
+
+std::string threeDigitsOf(double value)
+{
+    std::array<char, 32> text{};
+    const auto [end, code] =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+    return std::string(text.data(), static_cast<std::size_t>(end - text.data()));
 }
 
 /// The surface of each group, made where another group is near.
@@ -103,10 +112,10 @@ private:
 
 }  // namespace
 
-bool tellContacts(std::span<const SampledComponent> components, MeshReport& report)
+std::vector<SolidOverlap> tellContacts(std::span<const SampledComponent> components, MeshReport& report)
 {
     Surfaces surfaces(components);
-    bool isFree = true;
+    std::vector<SolidOverlap> overlaps;
     for (std::size_t i = 0; i < components.size(); ++i) {
         for (std::size_t j = i + 1; j < components.size(); ++j) {
             if (!surfaces.areNear(i, j)) continue;
@@ -114,11 +123,33 @@ bool tellContacts(std::span<const SampledComponent> components, MeshReport& repo
             const ComponentSurface& b = surfaces.at(j);
             const std::optional<SolidContact> contact = findContact(a, b, toleranceBetween(a, b));
             if (!contact) continue;
-            isFree = isFree && (report.options.allowsOverlap || !contact->isOverlap);
-            tell(*contact, namesOf(components[i], components[j], *contact), report);
+            const SolidOverlap pair = pairOf(components[i], components[j], *contact);
+            if (!contact->isOverlap) {
+                tellTouch(pair, report);
+                continue;
+            }
+            overlaps.push_back(pair);
+            if (report.options.overlap == OverlapChoice::Refuse) refuse(pair, report);
         }
     }
-    return isFree;
+    return overlaps;
+}
+
+void tellOverlaps(std::span<const SolidOverlap> overlaps, const ClassifiedMesh& mesh, const std::string& unit,
+                  MeshReport& report)
+{
+    if (overlaps.empty()) return;
+    const CommonVolumes volumes(mesh);
+    for (const SolidOverlap& pair : overlaps) {
+        const double volume = volumes.between(pair.first.index, pair.second.index);
+        const std::string share = volume > 0.0
+                                      ? "have about " + threeDigitsOf(volume) + " " + unit + "^3 in common"
+                                      : "overlap by less than the facets depart from the faces";
+        warn({ErrorCode::IntersectingConstraints,
+              "the solids overlap, and each has a mesh of its own there; the meshes " + share, namesOf(pair),
+              pair.place, kApart},
+             report);
+    }
 }
 
 }  // namespace mesher

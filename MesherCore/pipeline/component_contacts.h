@@ -6,6 +6,8 @@
 #include "pipeline/model_components.h"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace mesher {
 
@@ -17,11 +19,23 @@ struct SampledComponent
     const RegionSides* sides = nullptr;
 };
 
-/// Compares groups of solids that share no entity, pair by pair: those that overlap fail the run unless
-/// the options allow of it, those that touch are told as
-/// a warning, since their meshes are not led through; both with the names of two solids and a place.
-/// Returns      whether none overlap that must not
+/// Two solids of the whole model that have a volume in common.
+struct SolidOverlap
+{
+    EntityRef first;
+    EntityRef second;
+    Vec3 place;
+};
+
+/// Compares groups of solids that share no entity, pair by pair. Those that touch are told as a warning, since their meshes are
+/// not led through; those that overlap fail the run where the options refuse them. Both have the names of two solids and a place.
+/// Returns      the overlaps, which tellOverlaps tells of finished meshes
 /// Cost         boxes of all pairs; see solid_contacts.h for those that are near
-[[nodiscard]] bool tellContacts(std::span<const SampledComponent> components, MeshReport& report);
+[[nodiscard]] std::vector<SolidOverlap> tellContacts(std::span<const SampledComponent> components,
+                                                     MeshReport& report);
+
+/// Warns of solids that overlap and are meshed each for itself, with the volume that their meshes have in common.
+void tellOverlaps(std::span<const SolidOverlap> overlaps, const ClassifiedMesh& mesh, const std::string& unit,
+                  MeshReport& report);
 
 }  // namespace mesher

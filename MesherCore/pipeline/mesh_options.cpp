@@ -40,6 +40,19 @@ Result<void> validateRun(const MeshOptions& options)
 
 }  // namespace
 
+std::string_view nameOf(OverlapChoice choice)
+{
+    return choice == OverlapChoice::Separate ? "separate" : "refuse";
+}
+
+std::optional<OverlapChoice> overlapChoiceOf(std::string_view name)
+{
+    for (const OverlapChoice choice : {OverlapChoice::Separate, OverlapChoice::Refuse}) {
+        if (name == nameOf(choice)) return choice;
+    }
+    return std::nullopt;
+}
+
 Result<void> validate(const MeshOptions& options)
 {
     if (options.dimension != 2 && options.dimension != 3) {

@@ -7,9 +7,22 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mesher {
+
+/// What happens to solids that overlap.
+enum class OverlapChoice : std::uint8_t
+{
+    Separate,  ///< each is meshed for itself, with a warning
+    Refuse     ///< the run fails with their names
+};
+
+/// "separate", "refuse".
+[[nodiscard]] std::string_view nameOf(OverlapChoice choice);
+/// Nothing for another word.
+[[nodiscard]] std::optional<OverlapChoice> overlapChoiceOf(std::string_view name);
 
 /// Everything a user may ask of a mesh; what has no value is left to the mesher.
 struct MeshOptions
@@ -56,9 +69,8 @@ struct MeshOptions
     /// Tetrahedra that thin walls may take beyond those of the sizes; walls that take more are left with flat ones.
     /// 0 … 10^9. DEFAULT: 1 million
     std::uint64_t maxWallElements = 1'000'000;
-    bool allowsOverlap =
-        false;  ///< solids that overlap are meshed each for itself, with a warning. DEFAULT: false
-    std::optional<double> timeout;  ///< seconds, > 0. DEFAULT: none
+    OverlapChoice overlap = OverlapChoice::Separate;  ///< DEFAULT: Separate
+    std::optional<double> timeout;                    ///< seconds, > 0. DEFAULT: none
     bool isChecked = false;  ///< the mesh is checked as a whole before it is handed out. DEFAULT: false
     ///@}
 };

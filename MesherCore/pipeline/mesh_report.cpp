@@ -141,7 +141,7 @@ Json toJson(const MeshOptions& options)
                  {"threads", options.threads},
                  {"max_elements", options.maxElements},
                  {"max_wall_elements", options.maxWallElements},
-                 {"allow_overlap", options.allowsOverlap},
+                 {"overlap", nameOf(options.overlap)},
                  {"timeout", orNull(options.timeout)},
                  {"check", options.isChecked}};
     addWishes(options, json);

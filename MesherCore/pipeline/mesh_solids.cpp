@@ -146,7 +146,9 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     for (const ModelComponent& component : components)
         runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
     const StageWatch comparison;
-    const bool areFree = tellContacts(sampledComponents(components, runs), whole.report);
+    const std::vector<SolidOverlap> overlaps =
+        tellContacts(sampledComponents(components, runs), whole.report);
+    const bool areFree = overlaps.empty() || options.overlap == OverlapChoice::Separate;
     comparison.addTo(whole.report, "contacts");
     ClassifiedMesh mesh;
     for (std::size_t i = 0; i < components.size(); ++i) {
@@ -157,6 +159,7 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
         if (part.mesh) appendComponent(components[i], *part.mesh, mesh);
         if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     }
+    if (areFree) tellOverlaps(overlaps, mesh, model.unit, whole.report);
     if (!mesh.nodes.empty()) whole.mesh = std::move(mesh);
     finish(model, options, whole);
     return whole;

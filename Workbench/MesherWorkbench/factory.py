@@ -24,7 +24,7 @@ _PROPERTY_OF_OPTION = {
     "max_dihedral": "MaxDihedral",
     "min_angle": "MinAngle",
     "max_turn": "MaxTurn",
-    "allow_overlap": "AllowOverlap",
+    "overlap": "Overlap",
     "check": "CheckMesh",
     "max_elements": "MaxElements",
     "max_wall_elements": "MaxWallElements",

@@ -20,7 +20,7 @@ __all__ = ["Cancelled", "Mesh", "MesherError", "MeshingError", "Model", "ModelEr
 def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=None, min_size=None, curvature=0.0, sag=0.0,
          refinement=None, grading=1.0, local_sizes=None, size_distance=None, size_box=None, size_ball=None, size_formula=None,
          size_points=None, background=None, min_angle=30.0, max_turn=90.0, measure="q2", threshold=None,
-         max_dihedral=None, improve=True, order=1, threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, allow_overlap=False, timeout=None,
+         max_dihedral=None, improve=True, order=1, threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, overlap="separate", timeout=None,
          check=False):
     """Meshes a model: the path of a file (STEP, IGES, BREP), a Part.Shape, a document object that has a shape, or a Model.
 
@@ -50,7 +50,7 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     threads         the mesh does not depend on them
     max_elements, timeout       limits; seconds
     max_wall_elements           that thin walls may take; walls that take more get flat tetrahedra
-    allow_overlap   mesh solids that overlap, each for itself; otherwise they are refused
+    overlap         "separate": solids that overlap are meshed each for itself, with a warning; "refuse": they fail the run
     check           check the mesh as a whole before it is returned
 
     Raises ModelError, MeshingError (with `failures`, `report` and what there is of a `mesh`), Cancelled; OptionError, which is a

@@ -130,7 +130,7 @@ def mesh(
     threads: int = 1,
     max_elements: int = 50_000_000,
     max_wall_elements: int = 1_000_000,
-    allow_overlap: bool = False,
+    overlap: Literal["separate", "refuse"] = "separate",
     timeout: Optional[float] = None,
     check: bool = False,
 ) -> Mesh: ...

@@ -2,6 +2,7 @@
 
 _DIMENSIONS = ["From Shape", "2D", "3D"]
 _ORDERS = ["1st", "2nd"]
+_OVERLAPS = ["separate", "refuse"]
 _MEASURES = ["q2", "q1", "q3", "q4", "q5", "q6", "q7", "q8"]  # the first one is the default
 
 # type, name, group, what it means, default; links are global because a part may be inside of a body
@@ -31,7 +32,7 @@ _PROPERTIES = (
     ("App::PropertyFloat", "MaxDihedral", "Quality", "Dihedral angle above which tetrahedra are refined; 0 is the usual", 0.0),
     ("App::PropertyFloat", "MinAngle", "Quality", "Smallest angle wanted of triangles, degrees", 30.0),
     ("App::PropertyFloat", "MaxTurn", "Quality", "Largest turn of a curve along an edge, degrees", 90.0),
-    ("App::PropertyBool", "AllowOverlap", "Run", "Mesh solids that overlap, each for itself", False),
+    ("App::PropertyEnumeration", "Overlap", "Run", "Solids that overlap: each for itself, or refused", _OVERLAPS),
     ("App::PropertyBool", "HealShape", "Run", "Let the CAD kernel repair the shape first", False),
     ("App::PropertyBool", "CheckMesh", "Run", "Check the mesh as a whole before it is taken over", False),
     ("App::PropertyInteger", "MaxElements", "Run", "The run ends there", 50_000_000),

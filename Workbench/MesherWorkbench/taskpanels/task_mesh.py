@@ -27,7 +27,7 @@ _POLL_MILLISECONDS = 50
 _PAUSE_BEFORE_ESTIMATE = 300  # milliseconds, in which more may be typed
 _PATIENCE_AFTER_STOP = 0.5  # seconds
 _LENGTHS = (("size", "CharacteristicLengthMax"), ("minSize", "CharacteristicLengthMin"), ("sag", "SurfaceDeviation"))
-_NUMBERS = (("curvature", "MeshSizeFromCurvature"), ("improve", "OptimizeStd"), ("allowOverlap", "AllowOverlap"))
+_NUMBERS = (("curvature", "MeshSizeFromCurvature"), ("improve", "OptimizeStd"), ("overlap", "Overlap"))
 _SHOWN_KINDS = ("Face", "Edge", "Vertex")  # what the view can have selected
 _LOCAL_KINDS = ("Solid", *_SHOWN_KINDS)
 

@@ -75,7 +75,7 @@ def options_of(obj, shape):
         "max_dihedral": obj.MaxDihedral or None,
         "min_angle": obj.MinAngle,
         "max_turn": obj.MaxTurn,
-        "allow_overlap": obj.AllowOverlap,
+        "overlap": obj.Overlap,
         "check": obj.CheckMesh,
         "max_elements": obj.MaxElements,
         "max_wall_elements": obj.MaxWallElements,

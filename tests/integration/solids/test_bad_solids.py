@@ -3,6 +3,7 @@
 
     test_bad_solids.py PROGRAM MODULE-FOLDER MODELS-FOLDER DEMOS-FOLDER [unittest options]
 """
+import math
 import os
 import re
 import subprocess
@@ -19,9 +20,10 @@ REFUSED = {
     "without_height": (r"Face1 and Face2 at \(.*\): .+; .+", "Face1 and Face2"),
     "absurdly_small": (r"1\.73e-06 mm across, and sizes from 1e-05 to 1e\+09 can be meshed; scale the model", "model"),
     "absurdly_large": (r"1\.73e\+60 mm across, .*; scale the model", "model"),
-    **{name: (r"Solid1 and Solid2 at \(.*\): the solids overlap; cut one from the other or fuse them", "Solid1 and Solid2")
-       for name in ("crossing_boxes", "same_box_twice", "ball_in_box", "box_in_box_on_floor", "bar_through_box")},
 }
+# Solids that overlap, with the volume in common and how far the meshes may be off it.
+OVERLAPPING = {"crossing_boxes": (0.5 * 0.6 * 0.7, 1e-3), "same_box_twice": (1.0, 1e-3), "ball_in_box": (math.pi / 6 / 8, 0.3),
+               "box_in_box_on_floor": (0.125, 1e-3), "bar_through_box": (0.04, 1e-3)}
 TOUCHING = ("boxes_face_to_face", "small_box_on_box", "boxes_edge_to_edge", "boxes_corner_to_corner", "ball_on_box", "pin_in_bore")
 APART = ("boxes_apart", "pin_loose_in_bore", "glued_boxes")
 
@@ -96,14 +98,41 @@ class SolidsInContact(RefusalCase):
                 self.assertRegex(told[0], r"^Solid1 and Solid2 at \(.*\): the solids touch without a common face, .*; .+")
                 self.assertIn("Solid1 and Solid2", run.stderr)
 
-    def test_overlap_is_meshed_where_it_is_allowed(self):
-        for name in ("crossing_boxes", "ball_in_box"):
+    def test_that_overlap_are_meshed_each_for_itself_and_told(self):
+        for name, (common, off) in OVERLAPPING.items():
             with self.subTest(model=name):
-                run = self.run_mesher(MODELS / f"{name}.brep", "--size", 0.3, "--allow-overlap", "-o", "m.msh", "--report", "r.json")
+                run = self.run_mesher(MODELS / f"{name}.brep", "--size", 0.3, "--check", "-o", "m.msh", "--report", "r.json")
                 self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertIn("Solid1 and Solid2", run.stderr)
                 report = self.report()
-                self.assertRegex(report["warnings"][0], r"^Solid1 and Solid2 at \(.*\): the solids overlap, and each has a mesh .*; .+")
+                self.assertEqual(len(report["warnings"]), 1)
+                told = re.match(r"Solid1 and Solid2 at \(.*\): the solids overlap, and each has a mesh of its own there; "
+                                r"the meshes have about (\S+) mm\^3 in common; .+", report["warnings"][0])
+                self.assertIsNotNone(told, report["warnings"])
+                self.assertAlmostEqual(float(told.group(1)) / common, 1.0, delta=off + 0.005)
                 self.assertAlmostEqual(report["mesh"]["volume"] / report["model"]["volume"], 1.0, delta=0.1)
+
+    def test_that_overlap_are_refused_on_a_wish(self):
+        pattern = r"Solid1 and Solid2 at \(.*\): the solids overlap; cut one from the other or fuse them .*"
+        for name in OVERLAPPING:
+            with self.subTest(model=name):
+                report = self.expect_refusal(MODELS / f"{name}.brep", pattern, "--size", 0.3, "--overlap", "refuse")
+                self.assertEqual(report["failures"][0]["entity"], "Solid1 and Solid2")
+                self.assertEqual(report["options"]["overlap"], "refuse")
+        run = self.run_mesher(MODELS / "crossing_boxes.brep", "--overlap", "never", "-o", "m.msh")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--overlap is separate or refuse, not 'never'", run.stderr)
+
+    def test_that_overlap_in_python(self):
+        if mesher is None:
+            self.skipTest("the Python package is not built")
+        source = str(MODELS / "crossing_boxes.brep")
+        self.assertIn("in common", mesher.mesh(source, size=0.3).report["warnings"][0])
+        with self.assertRaises(mesher.MeshingError) as refused:
+            mesher.mesh(source, size=0.3, overlap="refuse")
+        self.assertIn("or leave overlap as it is", refused.exception.failures[0]["remedy"])
+        with self.assertRaises(mesher.OptionError):
+            mesher.mesh(source, size=0.3, overlap="never")
 
     def test_nothing_is_told_of_others(self):
         for name in APART:

@@ -45,9 +45,10 @@ class PartialResults(Case):
 
     def test_surfaces_of_solids_that_overlap(self):
         self.target.write_text("precious")
-        self.assertEqual(self.run_mesher("crossing_boxes", "--size", 0.3).returncode, 1)
+        refused = ("crossing_boxes", "--size", 0.3, "--overlap", "refuse")
+        self.assertEqual(self.run_mesher(*refused).returncode, 1)
         self.assertEqual(self.target.read_text(), "precious")
-        run = self.run_mesher("crossing_boxes", "--size", 0.3, "--keep-partial")
+        run = self.run_mesher(*refused, "--keep-partial")
         self.assertEqual(run.returncode, 1)
         self.assertIn("overlap", run.stderr)
         counts = self.count("m.msh")
@@ -82,7 +83,7 @@ class PartialResults(Case):
         if mesher is None:
             self.skipTest("the Python package is not built")
         with self.assertRaises(mesher.MeshingError) as failed:
-            mesher.mesh(str(MODELS / "crossing_boxes.brep"), size=0.3)
+            mesher.mesh(str(MODELS / "crossing_boxes.brep"), size=0.3, overlap="refuse")
         self.assertGreater(len(failed.exception.mesh.triangles), 200)
         self.assertEqual(len(failed.exception.mesh.tets), 0)
 
