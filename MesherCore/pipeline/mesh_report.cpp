@@ -141,9 +141,10 @@ Json toJson(const MeshOptions& options)
                  {"threads", options.threads},
                  {"max_elements", options.maxElements},
                  {"max_wall_elements", options.maxWallElements},
-                 {"overlap", nameOf(options.overlap)},
                  {"timeout", orNull(options.timeout)},
                  {"check", options.isChecked}};
+    // By default it is not spoken of, so that a report with the word in it is one of solids that do overlap.
+    if (options.overlap != MeshOptions{}.overlap) json["overlap"] = nameOf(options.overlap);
     addWishes(options, json);
     return json;
 }

@@ -37,6 +37,14 @@ TEST(MeshReport, HasTheKeysThatProgramsReadOfAVolumeMesh)
     EXPECT_TRUE(json.contains("versions") && json.contains("model"));
 }
 
+TEST(MeshReport, SpeaksOfOverlapOnlyWhereItIsAskedFor)
+{
+    MeshReport report;
+    EXPECT_EQ(toJson(report).find("overlap"), std::string::npos);
+    report.options.overlap = OverlapChoice::Refuse;
+    EXPECT_EQ(nlohmann::json::parse(toJson(report))["options"]["overlap"], "refuse");
+}
+
 TEST(MeshReport, ListsTheFirstPlacesOfElementsLeftBad)
 {
     MeshReport report;
