@@ -2,6 +2,7 @@
 
 #include "pipeline/common_volume.h"
 #include "pipeline/component_surface.h"
+#include "pipeline/overlap_depth.h"
 #include "pipeline/report_steps.h"
 #include "pipeline/solid_contacts.h"
 
@@ -123,13 +124,17 @@ std::vector<SolidOverlap> tellContacts(std::span<const SampledComponent> compone
             const ComponentSurface& b = surfaces.at(j);
             const std::optional<SolidContact> contact = findContact(a, b, toleranceBetween(a, b));
             if (!contact) continue;
-            const SolidOverlap pair = pairOf(components[i], components[j], *contact);
+            SolidOverlap pair = pairOf(components[i], components[j], *contact);
             if (!contact->isOverlap) {
                 tellTouch(pair, report);
                 continue;
             }
+            if (report.options.overlap == OverlapChoice::Refuse) {
+                refuse(pair, report);
+            } else {
+                pair.commonVolume = shallowCommonVolume(a, b, toleranceBetween(a, b));
+            }
             overlaps.push_back(pair);
-            if (report.options.overlap == OverlapChoice::Refuse) refuse(pair, report);
         }
     }
     return overlaps;
@@ -141,13 +146,14 @@ void tellOverlaps(std::span<const SolidOverlap> overlaps, const ClassifiedMesh& 
     if (overlaps.empty()) return;
     const CommonVolumes volumes(mesh);
     for (const SolidOverlap& pair : overlaps) {
-        const double volume = volumes.between(pair.first.index, pair.second.index);
-        const std::string share = volume > 0.0
-                                      ? "have about " + threeDigitsOf(volume) + " " + unit + "^3 in common"
-                                      : "overlap by less than the facets depart from the faces";
+        const double volume =
+            pair.commonVolume ? *pair.commonVolume : volumes.between(pair.first.index, pair.second.index);
+        const std::string share =
+            volume > 0.0 ? "they have about " + threeDigitsOf(volume) + " " + unit + "^3 in common"
+                         : "they have less in common than their meshes can tell";
         warn({ErrorCode::IntersectingConstraints,
-              "the solids overlap, and each has a mesh of its own there; the meshes " + share, namesOf(pair),
-              pair.place, kApart},
+              "the solids overlap, and each has a mesh of its own there; " + share, namesOf(pair), pair.place,
+              kApart},
              report);
     }
 }

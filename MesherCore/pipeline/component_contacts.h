@@ -5,6 +5,7 @@
 #include "pipeline/mesh_report.h"
 #include "pipeline/model_components.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct SolidOverlap
     EntityRef first;
     EntityRef second;
     Vec3 place;
+    std::optional<double> commonVolume{};  ///< where it is too shallow for meshes to tell, model units cubed
 };
 
 /// Compares groups of solids that share no entity, pair by pair. Those that touch are told as a warning, since their meshes are
@@ -34,7 +36,8 @@ struct SolidOverlap
 [[nodiscard]] std::vector<SolidOverlap> tellContacts(std::span<const SampledComponent> components,
                                                      MeshReport& report);
 
-/// Warns of solids that overlap and are meshed each for itself, with the volume that their meshes have in common.
+/// Warns of solids that overlap and are meshed each for itself, with the volume that they have in common, by their
+/// meshes where these can tell it.
 void tellOverlaps(std::span<const SolidOverlap> overlaps, const ClassifiedMesh& mesh, const std::string& unit,
                   MeshReport& report);
 

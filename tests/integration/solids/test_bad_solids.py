@@ -107,7 +107,7 @@ class SolidsInContact(RefusalCase):
                 report = self.report()
                 self.assertEqual(len(report["warnings"]), 1)
                 told = re.match(r"Solid1 and Solid2 at \(.*\): the solids overlap, and each has a mesh of its own there; "
-                                r"the meshes have about (\S+) mm\^3 in common; .+", report["warnings"][0])
+                                r"they have about (\S+) mm\^3 in common; .+", report["warnings"][0])
                 self.assertIsNotNone(told, report["warnings"])
                 self.assertAlmostEqual(float(told.group(1)) / common, 1.0, delta=off + 0.005)
                 self.assertAlmostEqual(report["mesh"]["volume"] / report["model"]["volume"], 1.0, delta=0.1)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace mesher::test {
 namespace {
@@ -43,6 +44,32 @@ TEST(ComponentContacts, TellARingInItsGrooveFromOneThatIsTooThick)
     const MeshOutcome thick = meshOf(ringInGroove(1.05), 0.6);
     ASSERT_FALSE(thick.report.warnings.empty());
     EXPECT_NE(thick.report.warnings.front().find("the solids overlap"), std::string::npos);
+}
+
+/// The volume that a warning of an overlap tells.
+double toldVolume(const MeshReport& report)
+{
+    constexpr std::string_view kBefore = "they have about ";
+    for (const std::string& warning : report.warnings) {
+        const std::size_t at = warning.find(kBefore);
+        if (at != std::string::npos) return std::stod(warning.substr(at + kBefore.size()));
+    }
+    return 0.0;
+}
+
+/// A pin pressed into a bore by a hundredth to a tenth of what the facets depart from the faces.
+TEST(ComponentContacts, TellTheVolumeOfAPressFitFinerThanFacets)
+{
+    Axes below;
+    below.origin = {0.0, 0.0, -1.0};
+    for (const double excess : {0.002, 0.02}) {
+        const BrepModel block =
+            withHollow(*makeBox({-4.0, -4.0, -3.0}, {4.0, 4.0, 3.0}), *makeCylinder(below, 2.0, 2.0));
+        const MeshOutcome outcome = meshOf(together(block, *makeCylinder(below, 2.0 + excess, 2.0)), 1.0);
+        EXPECT_TRUE(outcome.report.failures.empty());
+        const double common = 3.14159265358979 * ((2.0 + excess) * (2.0 + excess) - 4.0) * 2.0;
+        EXPECT_NEAR(toldVolume(outcome.report), common, 0.25 * common);
+    }
 }
 
 TEST(ComponentContacts, FindNoOverlapOfAPinInTheHoleOfARing)
