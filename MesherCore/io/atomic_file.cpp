@@ -164,12 +164,6 @@ void AtomicFile::withdraw() noexcept
     discard();
 }
 
-void AtomicFile::finish() noexcept
-{
-    discard();
-    if (!isDirect_) syncFolderOf(target_);
-}
-
 Result<void> AtomicFile::commit()
 {
     if (const Result<void> prepared = prepare(); !prepared) return prepared;
@@ -237,7 +231,11 @@ Result<void> publishAll(std::span<AtomicFile> files)
             return published;
         }
     }
-    for (AtomicFile& file : files) file.finish();
+    // What was replaced goes at once, before anything that takes time: a program that is killed here leaves it behind.
+    for (AtomicFile& file : files) file.discard();
+    for (const AtomicFile& file : files) {
+        if (!file.isDirect_) syncFolderOf(file.target_);
+    }
     return {};
 }
 

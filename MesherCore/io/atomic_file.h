@@ -12,7 +12,8 @@ namespace mesher {
 
 /// A file that appears complete or not at all: written without a name, then given that of its target.
 /// Guarantees   until `publish` succeeds the target is as it was; a file that is not published leaves nothing behind, not even
-///              where the program is killed, unless the disk knows no files without names; once prepared, the content is on the
+///              where the program is killed, unless the disk knows no files without names or it happens in the instant in which
+///              a file is replaced; once prepared, the content is on the
 ///              disk, not only in its cache
 /// Refuses      with ErrorCode::Unwritable, a directory as target, a folder that is missing, what may not be written, a full disk,
 ///              a pipe that nobody reads
@@ -38,15 +39,15 @@ public:
     [[nodiscard]] Result<void> publish();
     /// Makes a published file disappear again, unless it is direct.
     void withdraw() noexcept;
-    /// Drops what a published file replaced.
-    void finish() noexcept;
-    /// publish and finish.
+    /// All of these steps.
     [[nodiscard]] Result<void> commit();
 
     /// Whether the target gets its content byte by byte, which cannot be taken back.
     [[nodiscard]] bool isDirect() const { return isDirect_; }
 
 private:
+    friend Result<void> publishAll(std::span<AtomicFile> files);
+
     AtomicFile(int descriptor, std::filesystem::path target)
         : descriptor_(descriptor), target_(std::move(target))
     {

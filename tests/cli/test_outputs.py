@@ -100,7 +100,7 @@ class Outputs(Case):
 
     def test_a_kill_leaves_nothing_behind(self):
         for delay in (0.2, 0.4, 0.6):
-            process = self.started(*BOX, "--size", 0.12, *self.outputs)
+            process = self.started(*BOX, "--size", 0.12, "-o", f"{delay}.msh", "-o", f"{delay}.vtu", "--report", f"{delay}.json")
             time.sleep(delay)
             process.kill()
             process.wait()
