@@ -22,7 +22,7 @@ FOREIGN_HEADERS = {
     "surface_sampling": re.compile(r"oneapi/tbb/.+\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
     "brep/occt": re.compile(r".+\.hxx|fcntl\.h|sys/wait\.h|unistd\.h"),
-    "cli": re.compile(r"boost/program_options\.hpp|fcntl\.h|unistd\.h"),
+    "cli": re.compile(r"boost/program_options\.hpp|fcntl\.h|unistd\.h|sys/(mman|prctl|wait)\.h"),
     "io": re.compile(r"fcntl\.h|poll\.h|sys/stat\.h|unistd\.h|zlib\.h"),
     "pipeline": re.compile(r"nlohmann/json\.hpp"),
 }

@@ -36,8 +36,16 @@ std::optional<StopReason> RunContext::stopReason()
     return std::nullopt;
 }
 
+void RunContext::enterStage(std::string_view stage)
+{
+    if (stage == stage_) return;
+    stage_ = stage;
+    if (settings_.stage) settings_.stage(stage);
+}
+
 bool RunContext::reportProgress(std::string_view stage, double fraction)
 {
+    enterStage(stage);
     if (isCancelled()) return false;
     if (settings_.progress && !settings_.progress(stage, fraction)) requestCancel();
     return !isCancelled();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <thread>
 
@@ -31,6 +32,8 @@ enum class LogLevel
 using ProgressHook = std::function<bool(std::string_view stage, double fraction)>;
 /// Asked again and again wherever the run is, at least some ten times a second; returns false to cancel the run.
 using PollHook = std::function<bool()>;
+/// Told each stage that a run enters.
+using StageHook = std::function<void(std::string_view stage)>;
 using LogHook = std::function<void(LogLevel level, std::string_view message)>;
 
 /// What a caller chooses for a run. A default-made one is silent, checks nothing and uses one thread.
@@ -39,6 +42,7 @@ struct RunSettings
 {
     ProgressHook progress;
     PollHook poll;
+    StageHook stage;
     LogHook log;
     std::uint64_t seed = 1;  ///< of every random choice of the run; the same seed gives the same mesh
     CheckLevel checkLevel = CheckLevel::Off;
@@ -72,6 +76,10 @@ public:
 
     /// Tells the progress hook; false if the run is to end, now or because it was cancelled before.
     bool reportProgress(std::string_view stage, double fraction);
+    /// What the run is about from here on, for errors; progress of a stage enters it as well.
+    void enterStage(std::string_view stage);
+    /// The last stage that was entered; empty before the first.
+    [[nodiscard]] const std::string& stage() const { return stage_; }
     void log(LogLevel level, std::string_view message) const;
 
     [[nodiscard]] std::uint64_t seed() const { return settings_.seed; }
@@ -84,6 +92,7 @@ private:
     RunSettings settings_;
     std::thread::id home_ = std::this_thread::get_id();  ///< of the hooks
     std::optional<std::chrono::steady_clock::time_point> end_;
+    std::string stage_;
     std::atomic<bool> cancelled_ = false;
 };
 

@@ -13,11 +13,11 @@ namespace py = pybind11;
 
 namespace {
 
-ReadModel readFile(const std::filesystem::path& path, bool heals)
+ReadModel readFile(const std::filesystem::path& path, bool heals, bool isTried)
 {
     Result<ReadModel> read = [&] {
         const py::gil_scoped_release released;
-        return readModel(path, ReadOptions{heals});
+        return readModel(path, ReadOptions{heals, isTried});
     }();
     if (!read) raise("ModelError", read.error());
     return std::move(read).value();
@@ -34,7 +34,7 @@ std::string factsOf(const ReadModel& read)
 void bindModel(py::module_& module)
 {
     py::class_<ReadModel>(module, "Model", "A B-rep model, read once and meshed as often as you like.")
-        .def_static("read", &readFile, py::arg("path"), py::arg("heal") = false)
+        .def_static("read", &readFile, py::arg("path"), py::arg("heal") = false, py::arg("tried") = true)
         .def("info_json", &factsOf)
         .def_property_readonly("format", [](const ReadModel& read) { return read.format; })
         .def_property_readonly("unit", [](const ReadModel& read) { return read.model.unit; })

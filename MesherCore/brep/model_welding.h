@@ -3,6 +3,7 @@
 #include "base/id_vector.h"
 #include "brep/brep_model.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace mesher {
@@ -23,5 +24,16 @@ struct WeldedEntities
 /// Guarantees   in the order of the ids; vertices that an edge joins, and edges that bound one face, are never made one
 /// Cost         n log n for the vertices, a few projections for each pair of edges between the same vertices
 WeldedEntities weldCoincidences(BrepModel& model);
+
+/// Which edges may be welded, with their vertices, and over which distances.
+struct WeldingScope
+{
+    IdVector<BrepEdgeId, std::uint8_t> mayWeld;
+    double distance = 0.0;  ///< that is always welded
+    double most = 0.0;      ///< that is welded where the tolerances of both entities reach over it
+};
+
+/// The same for some edges. What stays gets a tolerance that covers what it stands for.
+WeldedEntities weldEdges(BrepModel& model, WeldingScope scope);
 
 }  // namespace mesher

@@ -1,5 +1,5 @@
-#include "brep/occt/read_model.h"
 #include "cli/commands.h"
+#include "cli/model_file.h"
 #include "io/mesh_reader.h"
 #include "io/write_text_file.h"
 #include "mesh/mesh_check.h"
@@ -62,7 +62,7 @@ ExitStatus runCheck(const CheckCommand& command, Console console)
         printMesh(check, report, console.out);
     }
     if (command.model && isReadable) {
-        const Result<ReadModel> model = readModel(*command.model);
+        const Result<ReadModel> model = readModelFile(*command.model, false, "check");
         if (!model) return tell(model.error(), ExitStatus::Failed, console);
         const ModelCheckReport onModel = checkAgainstModel(mesh, model.value().model);
         printModel(onModel, console.out);

@@ -27,9 +27,6 @@ struct Console
 /// An error about an entity of a model, or about the "model", says which file that is.
 [[nodiscard]] Error inModel(Error error, const std::filesystem::path& model);
 
-/// What a run tells for which no memory is left.
-[[nodiscard]] Error outOfMemory();
-
 /// Tells the error on `err` as one sentence behind the program's name.
 ExitStatus tell(const Error& error, ExitStatus status, Console console);
 

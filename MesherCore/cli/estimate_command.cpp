@@ -1,5 +1,6 @@
-#include "brep/occt/read_model.h"
 #include "cli/commands.h"
+#include "cli/model_file.h"
+#include "cli/supervisor.h"
 #include "io/read_size_fields.h"
 #include "pipeline/estimate_model.h"
 
@@ -10,10 +11,11 @@ namespace mesher {
 ExitStatus runEstimate(const MeshCommand& command, Console console)
 {
     const MeshOptions& options = command.options;
+    noteTimeLimit(options.timeout);
     const Result<std::shared_ptr<const SizingField>> sizes =
         readSizeFields(options.background, options.sizePoints, options.grading);
     if (!sizes) return tell(sizes.error(), ExitStatus::Failed, console);
-    const Result<ReadModel> read = readModel(command.model, ReadOptions{command.heals});
+    const Result<ReadModel> read = readModelFile(command.model, command.heals, "estimate");
     if (!read) return tell(read.error(), ExitStatus::Failed, console);
     const Result<MeshEstimate> found = estimateModel(read.value().model, options, sizes.value());
     if (!found) return tell(inModel(found.error(), command.model), ExitStatus::Failed, console);

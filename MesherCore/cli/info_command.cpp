@@ -1,12 +1,12 @@
 #include "brep/model_inspection.h"
-#include "brep/occt/read_model.h"
 #include "cli/commands.h"
+#include "cli/model_file.h"
 
 namespace mesher {
 
 ExitStatus runInfo(const InfoCommand& command, Console console)
 {
-    const Result<ReadModel> read = readModel(command.model);
+    const Result<ReadModel> read = readModelFile(command.model, false, "measures");
     if (!read) return tell(read.error(), ExitStatus::Failed, console);
     const ModelFacts facts = inspectModel(read.value().model);
     if (command.isJson) {

@@ -1,6 +1,7 @@
 #include "cli/interrupt.h"
 
 #include "cli/exit_status.h"
+#include "cli/supervisor.h"
 #include "io/file_target.h"
 
 #include <fcntl.h>
@@ -44,10 +45,21 @@ void writeLastWords(const LastWords& words)
         unlink(words.temporary.c_str());
 }
 
-extern "C" void onSignal(int)
+/// A process that waits for this one hears what the terminal or a group is sent as well and hands it on, so that only what comes
+/// from there counts. Once it is gone nobody else would end a run that does not listen.
+bool isMeant(const siginfo_t& info)
+{
+    constexpr unsigned kPatience = 2;  // seconds
+    const int waiting = supervisorProcess();
+    if (waiting == 0) return true;
+    if (getppid() != waiting) alarm(kPatience);
+    return info.si_pid == waiting;
+}
+
+extern "C" void onSignal(int, siginfo_t* info, void*)
 {
     const Phase phase = activePhase.load();
-    if (phase == Phase::Ending) return;
+    if (phase == Phase::Ending || !isMeant(*info)) return;
     RunContext* context = activeContext.load();
     if (context != nullptr && phase == Phase::Cooperative && !context->isCancelled()) {
         context->requestCancel();
@@ -64,8 +76,14 @@ extern "C" void onSignal(int)
 InterruptScope::InterruptScope(RunContext& context)
 {
     activeContext.store(&context);
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    struct sigaction action
+    {
+    };
+    action.sa_sigaction = onSignal;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
 }
 
 InterruptScope::~InterruptScope()

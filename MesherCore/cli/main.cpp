@@ -1,4 +1,4 @@
-#include "cli/commands.h"
+#include "cli/supervisor.h"
 
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ int main(int argumentCount, char** arguments)
     std::signal(SIGPIPE, SIG_IGN);
     const std::vector<std::string> texts(arguments + (argumentCount > 0 ? 1 : 0), arguments + argumentCount);
     const mesher::Console console = {std::cout, std::cerr, isatty(STDERR_FILENO) == 1};
-    mesher::ExitStatus status = mesher::runMesher(texts, console);
+    mesher::ExitStatus status = mesher::runSupervised(texts, console);
     std::cout.flush();
     if (!std::cout && status == mesher::ExitStatus::Done) {
         std::cerr << "mesher: the standard output cannot be written.\n";

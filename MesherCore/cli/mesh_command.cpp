@@ -1,19 +1,20 @@
 #include "base/assert.h"
-#include "brep/occt/read_model.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/model_file.h"
 #include "cli/progress_line.h"
+#include "cli/supervisor.h"
 #include "cli/wishes.h"
 #include "io/mesh_writer.h"
 #include "io/read_size_fields.h"
 #include "io/write_curved_boundary.h"
 #include "io/write_text_file.h"
 #include "pipeline/mesh_model.h"
+#include "pipeline/stage_failure.h"
 #include "pipeline/stage_watch.h"
 
 #include <algorithm>
 #include <iomanip>
-#include <new>
 #include <optional>
 
 namespace mesher {
@@ -39,6 +40,7 @@ public:
     ExitStatus run()
     {
         if (const std::optional<ExitStatus> refused = probeTargets()) return *refused;
+        noteTimeLimit(command_.options.timeout);
         if (command_.report) interrupt_.leaveBehind(*command_.report, reportOfCancelled());
         const bool isDone = work();
         interrupt_.enter(InterruptScope::Phase::Ending);
@@ -56,6 +58,7 @@ private:
     {
         RunSettings settings;
         settings.threads = command_.options.threads;
+        settings.stage = noteStage;
         settings.progress = [this](std::string_view stage, double fraction) {
             progress_.show(stage, fraction);
             return true;
@@ -63,16 +66,16 @@ private:
         return settings;
     }
 
-    /// A run that memory does not suffice for is told like others.
+    /// What ends a run where nobody could return an error is told like others; it may be that memory does not suffice.
     bool work()
     {
         try {
-            return readSizes() && readModelFile() && canBeWritten() && mesh() && writeOutputs();
-        } catch (const std::bad_alloc&) {
+            return readSizes() && readGeometry() && canBeWritten() && mesh() && writeOutputs();
+        } catch (...) {
             mesh_.reset();
             boundary_.reset();
             model_ = {};
-            fail(outOfMemory());
+            fail(errorInFlight(context_.stage()));
             return false;
         }
     }
@@ -115,18 +118,20 @@ private:
         return std::nullopt;
     }
 
-    bool readModelFile()
+    bool readGeometry()
     {
         progress_.show("reading the model", 0.0);
         interrupt_.enter(InterruptScope::Phase::Immediate);
         const StageWatch watch;
-        Result<ReadModel> read = readModel(command_.model, ReadOptions{command_.heals});
+        Result<ReadModel> read = readModelFile(command_.model, command_.heals, "sizes");
         interrupt_.enter(InterruptScope::Phase::Cooperative);
         watch.addTo(report_, "reading");
         if (!read) {
             fail(read.error());
             return false;
         }
+        // What there is when the time is over may take a while to be put together.
+        if (command_.keepsPartial) noteTimeLimit({});
         model_ = std::move(read).value().model;
         report_.unit = model_.unit;
         return true;
@@ -172,6 +177,7 @@ private:
     /// All files or none: they appear when each has been written as a whole.
     bool writeOutputs()
     {
+        noteTimeLimit({});
         const StageWatch watch;
         std::vector<AtomicFile> files;
         for (const OutputTarget& output : command_.outputs) {

@@ -1,9 +1,9 @@
 #include "cli/commands.h"
 #include "io/mesh_writer.h"
+#include "pipeline/stage_failure.h"
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <string_view>
 
 namespace mesher {
@@ -66,15 +66,6 @@ Error inModel(Error error, const std::filesystem::path& model)
     return error;
 }
 
-Error outOfMemory()
-{
-    return {ErrorCode::OutOfRange,
-            "the memory does not suffice",
-            {},
-            {},
-            "choose a larger --size or a machine with more memory"};
-}
-
 ExitStatus tell(const Error& error, ExitStatus status, Console console)
 {
     console.err << "mesher: " << describe(error) << '\n';
@@ -85,8 +76,8 @@ ExitStatus runMesher(std::span<const std::string> arguments, Console console)
 {
     try {
         return dispatch(arguments, console);
-    } catch (const std::bad_alloc&) {
-        return tell(outOfMemory(), ExitStatus::Failed, console);
+    } catch (...) {
+        return tell(errorInFlight(""), ExitStatus::Failed, console);
     }
 }
 

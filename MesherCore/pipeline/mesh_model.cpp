@@ -6,6 +6,7 @@
 #include "pipeline/model_extent.h"
 #include "pipeline/planar_area.h"
 #include "pipeline/planar_model.h"
+#include "pipeline/stage_failure.h"
 #include "predicates/fp_environment.h"
 
 #include <string>
@@ -59,12 +60,23 @@ MeshOutcome meshByDimension(const BrepModel& model, const MeshOptions& options,
     return meshFaces(model, faces.value(), options, std::move(fromFiles), context);
 }
 
+MeshOutcome meshOrTellFailure(const BrepModel& model, const MeshOptions& options,
+                              std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
+                              RunContext& context)
+{
+    try {
+        return meshByDimension(model, options, std::move(fromFiles), boundaryOrder, context);
+    } catch (...) {
+        return refuse(errorInFlight(context.stage()));
+    }
+}
+
 }  // namespace
 
 MeshOutcome meshModel(const BrepModel& model, const MeshOptions& options,
                       std::shared_ptr<const SizingField> fromFiles, int boundaryOrder, RunContext& context)
 {
-    MeshOutcome outcome = meshByDimension(model, options, std::move(fromFiles), boundaryOrder, context);
+    MeshOutcome outcome = meshOrTellFailure(model, options, std::move(fromFiles), boundaryOrder, context);
     MeshReport& report = outcome.report;
     report.options = options;
     report.versions = {{"mesher", MESHER_VERSION}};

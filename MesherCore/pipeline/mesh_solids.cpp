@@ -1,6 +1,7 @@
 #include "pipeline/mesh_solids.h"
 
 #include "brep/model_measures.h"
+#include "brep/name_list.h"
 #include "mesh/node_order.h"
 #include "pipeline/component_contacts.h"
 #include "pipeline/estimate_solids.h"
@@ -35,6 +36,13 @@ Result<void> checkSolids(const BrepModel& model)
                      "close its shell, or mesh its faces with --dimension 2"};
     }
     for (std::uint32_t i = 0; i < model.solids.size(); ++i) {
+        if (model.solids[BrepSolidId(i)].shells.empty()) {
+            return Error{ErrorCode::DegenerateInput,
+                         "the solid is empty, it has no face",
+                         nameOf(BrepSolidId(i)),
+                         {},
+                         "delete it in the CAD program"};
+        }
         for (const BrepShell& shell : model.solids[BrepSolidId(i)].shells) {
             if (shell.isClosed) continue;
             const std::string face =
@@ -47,6 +55,18 @@ Result<void> checkSolids(const BrepModel& model)
         }
     }
     return {};
+}
+
+/// Faces beside solids and inside of them.
+void tellLooseFaces(const BrepModel& model, MeshReport& report)
+{
+    std::vector<std::string> faces;
+    for (const BrepShell& shell : model.looseShells) {
+        for (const BrepShellFace& use : shell.faces) faces.push_back(nameOf(use.face));
+    }
+    if (faces.empty()) return;
+    report.warnings.push_back(listOf(faces) + (faces.size() == 1 ? " bounds" : " bound") + " no solid and " +
+                              (faces.size() == 1 ? "is" : "are") + " not meshed");
 }
 
 /// Volume and area of the model, where they are known well enough.
@@ -123,10 +143,13 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
 {
     const auto start = SolidRun::Clock::now();
     if (const Result<void> sound = checkSolids(model); !sound) return refused(options, sound.error());
+    context.enterStage("sizes");
     const auto sizes = prepareSizes(model, options, std::move(fromFiles), context);
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome whole;
     whole.report.options = options;
+    tellLooseFaces(model, whole.report);
+    context.enterStage("estimate");
     const StageWatch estimation;
     const ModelMeasures measures = measureModel(model, context);
     const MeshEstimate estimate = estimateSolids(model, measures, options, sizes->get(), context);
@@ -145,6 +168,7 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     std::deque<SolidRun> runs;
     for (const ModelComponent& component : components)
         runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
+    context.enterStage("contacts");
     const StageWatch comparison;
     const std::vector<SolidOverlap> overlaps =
         tellContacts(sampledComponents(components, runs), whole.report);

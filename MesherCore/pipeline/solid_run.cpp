@@ -56,6 +56,7 @@ const SurfaceMesh* SolidRun::surface() const { return isSampled_ ? &sample_.surf
 MeshOutcome SolidRun::meshVolumes()
 {
     if (isSampled_ && tetrahedralizeSample() && refine()) {
+        context_.enterStage("classification");
         const StageWatch watch;
         outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
         watch.addTo(report(), "classification");
@@ -102,6 +103,7 @@ SurfaceSamplingOptions SolidRun::samplingOfShape() const
 bool SolidRun::findFeatures()
 {
     if (!options_.refinement) return true;
+    context_.enterStage("features");
     const StageWatch watch;
     const FeatureSizes features =
         featureSizes(model_, sides_, samplingOfShape(), *options_.refinement, options_.grading, context_);
@@ -127,6 +129,7 @@ bool SolidRun::sample()
     sampling.walls.sides = &sides_;
     sampling.walls.maxRimTets = static_cast<double>(options_.maxWallElements);
     sampling.walls.maxFacets = kFacetsPerWallElement * static_cast<double>(options_.maxWallElements);
+    context_.enterStage("surfaces");
     const StageWatch watch;
     Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);
     watch.addTo(report(), "surfaces");
@@ -155,6 +158,7 @@ bool SolidRun::tetrahedralizeSample()
     // Refinement puts vertices about where scaffold points are anyway, and their removal costs more than all the rest.
     recovery.scaffold = SurfaceScaffold::Kept;
     recovery.limits.maxTime = timeLeft();
+    context_.enterStage("tetrahedralization");
     const StageWatch watch;
     Result<Tetrahedralization> made = tetrahedralize(*sample_.surface, sides_, recovery, context_);
     watch.addTo(report(), "tetrahedralization");
@@ -180,6 +184,7 @@ bool SolidRun::refine()
     refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
     refinement.limits.maxElements = options_.maxElements;
     refinement.limits.maxTime = timeLeft();
+    context_.enterStage("refinement");
     const StageWatch watch;
     Result<RefinedVolume> refined =
         refineVolume(tetrahedralization_.tets, *sample_.surface, refinement, context_);
@@ -200,6 +205,7 @@ void SolidRun::improve()
     improvement.maxSag = options_.sag;
     improvement.limits.maxTime = timeLeft();
     improvement.limits.maxOperations = mostTries(outcome_.mesh->tets.size());
+    context_.enterStage("improvement");
     const StageWatch watch;
     const Result<SolidImprovement> improved = improveSolids(*outcome_.mesh, model_, improvement, context_);
     watch.addTo(report(), "improvement");

@@ -159,6 +159,23 @@ class TestRefusals(Case):
         self.expect(0, "mesh", "square.step", "--dimension", 2, "--size", 0.2, "-o", "m.msh", "--check")
         self.expect(0, "check", "m.msh", "--model", "square.step")
 
+    def test_fields_left_unset_are_no_damage(self):
+        unset = STEP_SQUARE.replace("SHELL_BASED_SURFACE_MODEL(''", "SHELL_BASED_SURFACE_MODEL($").replace("PLANE(''", "PLANE($")
+        unset = unset.replace("CARTESIAN_POINT(''", "CARTESIAN_POINT($").replace("EDGE_CURVE(''", "EDGE_CURVE($")
+        (self.folder / "unset.step").write_text(unset)
+        self.expect(0, "mesh", "unset.step", "--dimension", 2, "--size", 0.2, "-o", "m.msh", "--check")
+        self.assertNotEqual(unset, STEP_SQUARE)
+        (self.folder / "needed.step").write_text(unset.replace("CARTESIAN_POINT($,(1.,0.,0.))", "CARTESIAN_POINT($,$)"))
+        self.expect_model_refusal("needed.step", "damaged at #30.*coordinates")
+
+    def test_names_of_parts_that_are_not_kept_are_told(self):
+        part = ("#{0}0=PRODUCT('{1}','{1}','',(#2));\n#{0}1=PRODUCT_DEFINITION_FORMATION('','',#{0}0);\n"
+                "#{0}2=PRODUCT_DEFINITION('','',#{0}1,#5);\n#{0}3=NEXT_ASSEMBLY_USAGE_OCCURRENCE('{0}','','',#6,#{0}2,$);\n")
+        parts = part.format(6, "Bolt") + part.format(7, "Nut")
+        (self.folder / "parts.step").write_text(STEP_SQUARE.replace("ENDSEC;\nEND-ISO", parts + "ENDSEC;\nEND-ISO"))
+        run = self.expect(0, "mesh", "parts.step", "--dimension", 2, "--size", 0.2, "-o", "m.msh")
+        self.assertRegex(run.stderr, "names of its parts are not kept.*: Bolt and Nut\n")
+
     def test_models_that_cannot_be_meshed(self):
         self.expect_refusal(1, "plate.brep: has no solid; .*--dimension 2", "mesh", DATA / "plate.brep", "-o", "a.msh")
         for name, pattern in [

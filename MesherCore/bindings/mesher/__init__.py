@@ -5,15 +5,16 @@
     mesh.write("part.msh")
 """
 import json
+import warnings
 
 from . import _core
 from ._core import Mesh, Model
-from .errors import Cancelled, MesherError, MeshingError, ModelError, OptionError, WriteError, error_of
+from .errors import Cancelled, MesherError, MesherWarning, MeshingError, ModelError, OptionError, WriteError, error_of
 from .fem_mesh import to_fem_mesh
 from .model_argument import model_of
 
 __version__ = _core.__version__
-__all__ = ["Cancelled", "Mesh", "MesherError", "MeshingError", "Model", "ModelError", "OptionError", "WriteError",
+__all__ = ["Cancelled", "Mesh", "MesherError", "MesherWarning", "MeshingError", "Model", "ModelError", "OptionError", "WriteError",
            "estimate", "info", "mesh", "model_of", "validate"]
 
 
@@ -54,7 +55,8 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     check           check the mesh as a whole before it is returned
 
     Raises ModelError, MeshingError (with `failures`, `report` and what there is of a `mesh`), Cancelled; OptionError, which is a
-    ValueError, for values that make no sense, and TypeError for those of another kind.
+    ValueError, for values that make no sense, and TypeError for those of another kind. Warns with MesherWarning of what was left
+    out or changed; the mesh's `report` has the same under "warnings".
     """
     options = {name: value for name, value in locals().items() if name not in ("source", "progress", "heal")}
     result, text = _core.run(model_of(source, heal), options, progress)
@@ -65,6 +67,8 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
         raise Cancelled("the run was cancelled", report["failures"], report, result)
     if report["status"] != "done":
         raise error_of(report, result)
+    for text in report["warnings"]:
+        warnings.warn(text, MesherWarning, stacklevel=2)
     return result
 
 

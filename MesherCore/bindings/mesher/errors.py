@@ -24,6 +24,10 @@ class OptionError(MesherError, ValueError):
     """An option with a value that makes no sense."""
 
 
+class MesherWarning(UserWarning):
+    """What the mesher noticed in a model or a mesh that was made all the same; the report lists it too."""
+
+
 class Cancelled(MesherError):
     """The progress callback ended the run."""
 

@@ -2,6 +2,7 @@
 
 #include "brep/analytic/parameter_curves.h"
 #include "brep/model_box.h"
+#include "brep/name_list.h"
 #include "brep/occt/occt_convert.h"
 #include "brep/occt/occt_curve.h"
 #include "brep/occt/occt_error.h"
@@ -14,6 +15,7 @@
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -66,6 +68,8 @@ public:
 
     Result<BrepModel> build()
     {
+        if (faces_.IsEmpty() && !solids_.IsEmpty())
+            return broken(nameOf(BrepSolidId(0u)), "the solid is empty, the model has no face");
         if (faces_.IsEmpty()) {
             return Error{ErrorCode::DegenerateInput,
                          "the model has no face",
@@ -85,6 +89,7 @@ public:
             if (!added) return added.error();
         }
         addSolids();
+        noteStrayEntities();
         model_.box = boxOf(model_);
         return std::move(model_);
     }
@@ -132,7 +137,7 @@ private:
             return broken(name, "the edge's range is empty or has no end");
         }
         if (!result.isDegenerate) {
-            result.curve = makeCurve(geometry, result.part);
+            result.curve = makeCurve(name, geometry, result.part);
             for (const double share : {0.0, 0.5, 1.0}) {
                 if (!isFinite(result.curve->position(result.part.at(share))))
                     return broken(name, "the edge's curve has places that are not finite");
@@ -171,12 +176,12 @@ private:
         const bool isEndless = Precision::IsInfinite(u0) || Precision::IsInfinite(u1) ||
                                Precision::IsInfinite(v0) || Precision::IsInfinite(v1);
         if (isEndless || !(u0 < u1) || !(v0 < v1)) return broken(name, "the face has no area or no end");
-        result.surface = makeSurface(geometry, result.boundsU, result.boundsV);
+        result.surface = makeSurface(name, geometry, result.boundsU, result.boundsV);
         result.isReversed = found.Orientation() == TopAbs_REVERSED;
         result.tolerance = BRep_Tool::Tolerance(face);
         auto loops = addLoops(face, result, name);
         if (!loops) return loops.error();
-        result.trim = makeTrim(face);
+        result.trim = makeTrim(name, face, result);
         model_.faces.push_back(std::move(result));
         return {};
     }
@@ -214,7 +219,7 @@ private:
                 continue;
             }
             BrepCoedge coedge{id, edge.Orientation() == TopAbs_REVERSED,
-                              parameterCurve(edge, face, id, result), 0.0};
+                              parameterCurve(edge, face, id, result, name), 0.0};
             if (!coedge.parameterCurve) return broken(name, nameOf(id) + " has no parameter curve on it");
             fitToEdge(coedge, result, name);
             coedges.push_back(std::move(coedge));
@@ -258,7 +263,8 @@ private:
     }
 
     std::shared_ptr<const ParameterCurve> parameterCurve(const TopoDS_Edge& edge, const TopoDS_Face& face,
-                                                         BrepEdgeId id, const BrepFace& result) const
+                                                         BrepEdgeId id, const BrepFace& result,
+                                                         const std::string& name) const
     {
         double first = 0.0, last = 0.0;
         bool isStored = false;
@@ -269,7 +275,7 @@ private:
             return std::make_shared<PlanarParameterCurve>(own.curve->clone(), *frame);
         }
         if (geometry.IsNull()) return nullptr;
-        return makeParameterCurve(geometry, {first, last}, own.part);
+        return makeParameterCurve(nameOf(id) + " on " + name, geometry, {first, last}, own.part);
     }
 
     /// Largest distance between the edge and its lift by the parameter curve.
@@ -312,10 +318,18 @@ private:
             note(nameOf(coedge.edge), "lies up to " + shortNumber(coedge.gap) + " off " + name);
     }
 
-    BrepShell makeShell(const TopoDS_Shape& shell) const
+    /// Lies in a solid and bounds nothing of it.
+    static bool isInner(const TopoDS_Shape& face)
+    {
+        return face.Orientation() == TopAbs_INTERNAL || face.Orientation() == TopAbs_EXTERNAL;
+    }
+
+    /// Of the faces that bound what the shell is of, or of the others.
+    BrepShell makeShell(const TopoDS_Shape& shell, bool takesInner = false) const
     {
         BrepShell result;
         for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
+            if (isInner(face.Current()) != takesInner) continue;
             const bool isReversed = face.Current().Orientation() == TopAbs_REVERSED;
             result.faces.push_back({idIn<BrepFaceId>(faces_, face.Current()), isReversed});
         }
@@ -328,19 +342,54 @@ private:
         for (int i = 1; i <= solids_.Extent(); ++i) {
             BrepSolid solid;
             for (TopExp_Explorer shell(solids_(i), TopAbs_SHELL); shell.More(); shell.Next()) {
-                solid.shells.push_back(makeShell(shell.Current()));
+                if (BrepShell bounds = makeShell(shell.Current()); !bounds.faces.empty())
+                    solid.shells.push_back(std::move(bounds));
+                if (BrepShell inner = makeShell(shell.Current(), true); !inner.faces.empty())
+                    model_.looseShells.push_back(std::move(inner));
             }
             model_.solids.push_back(std::move(solid));
         }
         TopTools_IndexedMapOfShape seen;
         for (TopExp_Explorer shell(shape_, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next()) {
-            if (!seen.Contains(shell.Current())) model_.looseShells.push_back(makeShell(shell.Current()));
+            if (!seen.Contains(shell.Current())) {
+                for (const bool takesInner : {false, true}) {
+                    if (BrepShell loose = makeShell(shell.Current(), takesInner); !loose.faces.empty())
+                        model_.looseShells.push_back(std::move(loose));
+                }
+            }
             seen.Add(shell.Current());
         }
         for (TopExp_Explorer face(shape_, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next()) {
-            if (!seen.Contains(face.Current())) model_.looseShells.push_back(makeShell(face.Current()));
+            if (!seen.Contains(face.Current()))
+                model_.looseShells.push_back(makeShell(face.Current(), isInner(face.Current())));
             seen.Add(face.Current());
         }
+    }
+
+    /// Edges and vertices that bound nothing are no part of any mesh.
+    void noteStrayEntities()
+    {
+        std::vector<std::string> stray;
+        TopTools_IndexedDataMapOfShapeListOfShape facesOfEdge, edgesOfVertex, facesOfVertex;
+        TopExp::MapShapesAndAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, facesOfEdge);
+        TopExp::MapShapesAndAncestors(shape_, TopAbs_VERTEX, TopAbs_EDGE, edgesOfVertex);
+        TopExp::MapShapesAndAncestors(shape_, TopAbs_VERTEX, TopAbs_FACE, facesOfVertex);
+        const auto boundsNothing = [](const TopTools_IndexedDataMapOfShapeListOfShape& map,
+                                      const TopoDS_Shape& shape) {
+            const int i = map.FindIndex(shape);
+            return i == 0 || map(i).IsEmpty();
+        };
+        for (int i = 1; i <= edges_.Extent(); ++i) {
+            if (boundsNothing(facesOfEdge, edges_(i)))
+                stray.push_back(nameOf(BrepEdgeId(static_cast<std::uint32_t>(i - 1))));
+        }
+        for (int i = 1; i <= vertices_.Extent(); ++i) {
+            if (boundsNothing(edgesOfVertex, vertices_(i)) && boundsNothing(facesOfVertex, vertices_(i)))
+                stray.push_back(nameOf(BrepVertexId(static_cast<std::uint32_t>(i - 1))));
+        }
+        if (!stray.empty())
+            note(listOf(stray),
+                 stray.size() == 1 ? "bounds no face and is not meshed" : "bound no face and are not meshed");
     }
 
     TopoDS_Shape shape_;

@@ -5,7 +5,9 @@
 #include "brep/analytic/line_curve.h"
 #include "brep/analytic/parameter_curves.h"
 #include "brep/curve_projection.h"
+#include "brep/occt/askable_parameter.h"
 #include "brep/occt/occt_convert.h"
+#include "brep/occt/occt_error.h"
 
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
@@ -20,6 +22,8 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -46,14 +50,18 @@ CurveKind kindOf(const Handle(Geom_Curve) & geometry)
     return CurveKind::Other;
 }
 
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
 /// A curve that the kernel evaluates.
 class OcctCurve final : public Curve
 {
 public:
-    OcctCurve(Handle(Geom_Curve) geometry, Interval part)
-        : geometry_(std::move(geometry)),
+    OcctCurve(std::string entity, Handle(Geom_Curve) geometry, Interval part)
+        : entity_(std::move(entity)),
+          geometry_(std::move(geometry)),
           adaptor_(geometry_, part.first, part.last),
           part_(part),
+          period_(geometry_->IsPeriodic() ? geometry_->Period() : 0.0),
           breaks_(bordersOf(adaptor_, GeomAbs_C2)),
           knots_(bordersOf(adaptor_, GeomAbs_CN))
     {
@@ -61,12 +69,19 @@ public:
 
     CurveKind kind() const override { return kindOf(geometry_); }
     Interval range() const override { return part_; }
-    Vec3 position(double t) const override { return toVec(adaptor_.Value(t)); }
+    Vec3 position(double t) const override
+    {
+        const double at = askableParameter(t, part_, period_);
+        if (!std::isfinite(at)) return kNoPlace;
+        return asked(entity_, [&] { return toVec(adaptor_.Value(at)); });
+    }
     CurvePoint evaluate(double t) const override
     {
+        const double at = askableParameter(t, part_, period_);
+        if (!std::isfinite(at)) return {kNoPlace, kNoPlace, kNoPlace};
         gp_Pnt p;
         gp_Vec d1, d2;
-        adaptor_.D2(t, p, d1, d2);
+        asked(entity_, [&] { adaptor_.D2(at, p, d1, d2); });
         return {toVec(p), toVec(d1), toVec(d2)};
     }
     std::span<const double> breaks() const override { return breaks_; }
@@ -77,12 +92,19 @@ public:
         if (seed) return projectFromSeed(*this, point, part, *seed);
         return projectOnCurve(*this, point, projectionStations(*this, part, kPerPiece));
     }
-    std::unique_ptr<Curve> clone() const override { return std::make_unique<OcctCurve>(geometry_, part_); }
+    std::unique_ptr<Curve> clone() const override
+    {
+        return asked(entity_, [&] { return std::make_unique<OcctCurve>(entity_, geometry_, part_); });
+    }
 
 private:
+    static constexpr Vec3 kNoPlace{kNoNumber, kNoNumber, kNoNumber};
+
+    std::string entity_;
     Handle(Geom_Curve) geometry_;
     GeomAdaptor_Curve adaptor_;
     Interval part_;
+    double period_;
     std::vector<double> breaks_;
     std::vector<double> knots_;
 };
@@ -126,29 +148,44 @@ std::shared_ptr<const Curve> makeSpline(const Handle(Geom_BSplineCurve) & spline
 class OcctParameterCurve final : public ParameterCurve
 {
 public:
-    OcctParameterCurve(Handle(Geom2d_Curve) geometry, double offset, double scale)
-        : geometry_(std::move(geometry)), offset_(offset), scale_(scale)
+    OcctParameterCurve(std::string entity, Handle(Geom2d_Curve) geometry, Interval own, double offset,
+                       double scale)
+        : entity_(std::move(entity)),
+          geometry_(std::move(geometry)),
+          own_(own),
+          offset_(offset),
+          scale_(scale),
+          period_(geometry_->IsPeriodic() ? geometry_->Period() : 0.0)
     {
     }
 
-    Vec2 position(double t) const override { return toVec(geometry_->Value(offset_ + scale_ * t)); }
+    Vec2 position(double t) const override
+    {
+        const double at = askableParameter(offset_ + scale_ * t, own_, period_);
+        if (!std::isfinite(at)) return {kNoNumber, kNoNumber};
+        return asked(entity_, [&] { return toVec(geometry_->Value(at)); });
+    }
     std::unique_ptr<ParameterCurve> clone() const override
     {
         return std::make_unique<OcctParameterCurve>(*this);
     }
 
 private:
+    std::string entity_;
     Handle(Geom2d_Curve) geometry_;  ///< evaluates without a cache, so that threads may share it
+    Interval own_;
     double offset_;
     double scale_;
+    double period_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Curve> makeCurve(const Handle(Geom_Curve) & geometry, Interval part)
+std::shared_ptr<const Curve> makeCurve(const std::string& entity, const Handle(Geom_Curve) & geometry,
+                                       Interval part)
 {
     if (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(geometry))
-        return makeCurve(trimmed->BasisCurve(), part);
+        return makeCurve(entity, trimmed->BasisCurve(), part);
     if (const auto line = Handle(Geom_Line)::DownCast(geometry)) {
         return std::make_shared<LineCurve>(toVec(line->Position().Location()),
                                            toVec(line->Position().Direction()), part);
@@ -164,24 +201,25 @@ std::shared_ptr<const Curve> makeCurve(const Handle(Geom_Curve) & geometry, Inte
     std::shared_ptr<const Curve> own;
     if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(geometry)) own = makeBezier(bezier);
     if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(geometry)) own = makeSpline(spline);
-    return own ? own : std::make_shared<OcctCurve>(geometry, part);
+    return own ? own : std::make_shared<OcctCurve>(entity, geometry, part);
 }
 
-std::shared_ptr<const ParameterCurve> makeParameterCurve(const Handle(Geom2d_Curve) & geometry, Interval own,
+std::shared_ptr<const ParameterCurve> makeParameterCurve(const std::string& entity,
+                                                         const Handle(Geom2d_Curve) & geometry, Interval own,
                                                          Interval part)
 {
     const bool isSame = own == part || !(part.length() > 0.0);
     const double scale = isSame ? 1.0 : own.length() / part.length();
     const double offset = isSame ? 0.0 : own.first - scale * part.first;
     if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(geometry)) {
-        return makeParameterCurve(trimmed->BasisCurve(), own, part);
+        return makeParameterCurve(entity, trimmed->BasisCurve(), own, part);
     }
     if (const auto line = Handle(Geom2d_Line)::DownCast(geometry)) {
         const Vec2 start = toVec(line->Location());
         const Vec2 direction{line->Direction().X(), line->Direction().Y()};
         return std::make_shared<LineParameterCurve>(start + offset * direction, scale * direction);
     }
-    return std::make_shared<OcctParameterCurve>(geometry, offset, scale);
+    return std::make_shared<OcctParameterCurve>(entity, geometry, own, offset, scale);
 }
 
 }  // namespace mesher

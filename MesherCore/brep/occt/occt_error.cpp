@@ -5,9 +5,11 @@
 #include <Standard_Failure.hxx>
 #include <Standard_Type.hxx>
 
+#include <cctype>
 #include <iostream>
 #include <mutex>
 #include <new>
+#include <string_view>
 
 namespace mesher {
 
@@ -19,17 +21,33 @@ std::mutex& occtMutex()
     return mutex;
 }
 
-}  // namespace
+/// In one line, without blanks at its ends.
+std::string inOneLine(std::string_view text)
+{
+    std::string line;
+    for (const char c : text) {
+        const bool isBlank = c == ' ' || std::iscntrl(static_cast<unsigned char>(c)) != 0;
+        if (!isBlank) {
+            line += c;
+        } else if (!line.empty() && line.back() != ' ') {
+            line += ' ';
+        }
+    }
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    return line;
+}
 
-Error errorOfException(const std::string& entity, const std::string& remedy)
+/// Of the exception in flight.
+std::string reasonInFlight()
 {
     std::string reason;
     try {
         throw;
     } catch (const Standard_Failure& failure) {
         reason = failure.DynamicType()->Name();
-        const char* text = failure.GetMessageString();
-        if (text != nullptr && *text != '\0') reason.append(": ").append(text);
+        const char* message = failure.GetMessageString();
+        const std::string text = inOneLine(message == nullptr ? "" : message);
+        if (!text.empty()) reason.append(": ").append(text);
     } catch (const std::bad_alloc&) {
         reason = "out of memory";
     } catch (const std::exception& exception) {
@@ -37,7 +55,31 @@ Error errorOfException(const std::string& entity, const std::string& remedy)
     } catch (...) {
         reason = "an unknown failure";
     }
-    return Error{ErrorCode::Unreadable, "the CAD kernel gave up (" + reason + ")", entity, {}, remedy};
+    return "the CAD kernel gave up (" + reason + ")";
+}
+
+}  // namespace
+
+Error errorOfException(const std::string& entity, const std::string& remedy)
+{
+    try {
+        throw;
+    } catch (const GeometryFailure& failure) {
+        return Error{ErrorCode::Unreadable, failure.what(), failure.entity(), {}, remedy};
+    } catch (...) {
+        return Error{ErrorCode::Unreadable, reasonInFlight(), entity, {}, remedy};
+    }
+}
+
+void throwAsGeometryFailure(const std::string& entity)
+{
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;  // no fault of the entity
+    } catch (...) {
+        throw GeometryFailure(entity, reasonInFlight());
+    }
 }
 
 struct OcctSilence::State

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "brep/geometry_failure.h"
 
 #include <exception>
 #include <memory>
@@ -22,6 +23,20 @@ template <class Step>
         return std::forward<Step>(step)();
     } catch (...) {
         return errorOfException(entity, remedy);
+    }
+}
+
+/// What an OCCT exception in flight says; to be called from a catch block only.
+[[noreturn]] void throwAsGeometryFailure(const std::string& entity);
+
+/// Asks OCCT about the geometry of an entity of a model; what it throws becomes a GeometryFailure that names the entity.
+template <class Question>
+[[nodiscard]] auto asked(const std::string& entity, Question&& question) -> decltype(question())
+{
+    try {
+        return std::forward<Question>(question)();
+    } catch (...) {
+        throwAsGeometryFailure(entity);
     }
 }
 

@@ -3,7 +3,9 @@
 #include "brep/analytic/bspline_surface.h"
 #include "brep/analytic/plane_surface.h"
 #include "brep/analytic/round_surfaces.h"
+#include "brep/occt/askable_parameter.h"
 #include "brep/occt/occt_convert.h"
+#include "brep/occt/occt_error.h"
 #include "brep/root_finding.h"
 #include "brep/surface_projection.h"
 
@@ -23,6 +25,8 @@
 #include <TColStd_Array1OfReal.hxx>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -71,8 +75,9 @@ double bound(double value)
 class OcctSurface final : public Surface
 {
 public:
-    OcctSurface(Handle(Geom_Surface) geometry, Interval windowU, Interval windowV)
-        : geometry_(std::move(geometry)),
+    OcctSurface(std::string entity, Handle(Geom_Surface) geometry, Interval windowU, Interval windowV)
+        : entity_(std::move(entity)),
+          geometry_(std::move(geometry)),
           adaptor_(geometry_),
           windowU_(windowU),
           windowV_(windowV),
@@ -93,12 +98,19 @@ public:
     Interval rangeV() const override { return rangeV_; }
     double periodU() const override { return periodU_; }
     double periodV() const override { return periodV_; }
-    Vec3 position(Vec2 uv) const override { return toVec(adaptor_.Value(uv.x, uv.y)); }
+    Vec3 position(Vec2 uv) const override
+    {
+        const Vec2 at = askable(uv);
+        if (!isFinite(at)) return kNoPlace;
+        return asked(entity_, [&] { return toVec(adaptor_.Value(at.x, at.y)); });
+    }
     SurfacePoint evaluate(Vec2 uv) const override
     {
+        const Vec2 at = askable(uv);
+        if (!isFinite(at)) return {kNoPlace, kNoPlace, kNoPlace, kNoPlace, kNoPlace, kNoPlace};
         gp_Pnt p;
         gp_Vec du, dv, duu, dvv, duv;
-        adaptor_.D2(uv.x, uv.y, p, du, dv, duu, dvv, duv);
+        asked(entity_, [&] { adaptor_.D2(at.x, at.y, p, du, dv, duu, dvv, duv); });
         return {toVec(p), toVec(du), toVec(dv), toVec(duu), toVec(duv), toVec(dvv)};
     }
     SurfaceProjection project(const Vec3& point, std::optional<Vec2> seed) const override
@@ -113,12 +125,21 @@ public:
     }
     std::unique_ptr<Surface> clone() const override
     {
-        auto copy = std::make_unique<OcctSurface>(geometry_, windowU_, windowV_);
+        auto copy = asked(
+            entity_, [&] { return std::make_unique<OcctSurface>(entity_, geometry_, windowU_, windowV_); });
         copy->search_ = search_;
         return copy;
     }
 
 private:
+    static constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    static constexpr Vec3 kNoPlace{kNoNumber, kNoNumber, kNoNumber};
+
+    [[nodiscard]] Vec2 askable(Vec2 uv) const
+    {
+        return {askableParameter(uv.x, rangeU_, periodU_), askableParameter(uv.y, rangeV_, periodV_)};
+    }
+
     /// Of a surface of revolution, whose derivative along u is as long as its radius: where that has a minimum of nothing.
     std::vector<double> axisMeetings() const
     {
@@ -144,6 +165,7 @@ private:
         return meetings;
     }
 
+    std::string entity_;
     Handle(Geom_Surface) geometry_;
     GeomAdaptor_Surface adaptor_;
     Interval windowU_;
@@ -208,17 +230,17 @@ std::shared_ptr<const Surface> trySpline(const Handle(Geom_BSplineSurface) & spl
 
 }  // namespace
 
-std::shared_ptr<const Surface> makeSurface(const Handle(Geom_Surface) & geometry, Interval windowU,
-                                           Interval windowV)
+std::shared_ptr<const Surface> makeSurface(const std::string& entity, const Handle(Geom_Surface) & geometry,
+                                           Interval windowU, Interval windowV)
 {
     if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(geometry)) {
-        return makeSurface(trimmed->BasisSurface(), windowU, windowV);
+        return makeSurface(entity, trimmed->BasisSurface(), windowU, windowV);
     }
     if (auto analytic = tryAnalytic(geometry)) return analytic;
     if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(geometry)) {
         if (auto own = trySpline(spline, windowU, windowV)) return own;
     }
-    return std::make_shared<OcctSurface>(geometry, windowU, windowV);
+    return std::make_shared<OcctSurface>(entity, geometry, windowU, windowV);
 }
 
 }  // namespace mesher

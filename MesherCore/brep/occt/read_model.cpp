@@ -1,10 +1,14 @@
 #include "brep/occt/read_model.h"
 
+#include "brep/face_sewing.h"
+#include "brep/name_list.h"
 #include "brep/occt/model_builder.h"
 #include "brep/occt/model_format.h"
 #include "brep/occt/occt_error.h"
 #include "brep/occt/shape_reader.h"
 #include "brep/occt/shape_repair.h"
+#include "brep/occt/trial_process.h"
+#include "brep/shell_closing.h"
 
 #include <TopoDS_Shape.hxx>
 
@@ -59,8 +63,30 @@ Result<ReadModel> makeModel(TopoDS_Shape shape, const ReadOptions& options)
     }
     Result<BrepModel> model = buildModel(shape);
     if (!model) return model.error();
+    const Result<void> joined = guarded("the model", "repair it in the CAD program", [&]() -> Result<void> {
+        sewFaces(*model);
+        closeShells(*model);
+        return {};
+    });
+    if (!joined) return joined.error();
     model->notes.insert(model->notes.begin(), changes.begin(), changes.end());
     return ReadModel{*std::move(model), std::make_shared<const TopoDS_Shape>(std::move(shape)), "", ""};
+}
+
+Result<ReadModel> readFormat(ModelFormat format, const std::string& content, const std::string& name,
+                             const ReadOptions& options)
+{
+    Result<ShapeFromFile> read = readShape(format, content, name);
+    if (!read) return read.error();
+    Result<ReadModel> model = makeModel(read->shape, options);
+    if (!model) return inFile(model.error(), name);
+    if (read->parts.size() > 1) {
+        model->model.notes.push_back("the names of its parts are not kept, their solids are numbered: " +
+                                     listOf(read->parts));
+    }
+    model->format = nameOf(format);
+    model->fileUnit = read->unit;
+    return model;
 }
 
 Result<ReadModel> readContent(const std::string& content, const std::string& name, bool isFile,
@@ -80,13 +106,13 @@ Result<ReadModel> readContent(const std::string& content, const std::string& nam
         return unreadable(name, "IGES is read from files only", "write it to a file first");
     }
     const OcctSilence silence;
-    Result<ShapeFromFile> read = readShape(*format, content, name);
-    if (!read) return read.error();
-    Result<ReadModel> model = makeModel(read->shape, options);
-    if (!model) return inFile(model.error(), name);
-    model->format = nameOf(*format);
-    model->fileUnit = read->unit;
-    return model;
+    const auto read = [&] { return readFormat(*format, content, name, options); };
+    if (options.isTried && !endsByItself([&] { static_cast<void>(read()); })) {
+        return unreadable(
+            name, "the " + std::string(nameOf(*format)) + " file is damaged: the CAD kernel fails on it",
+            "export the model again");
+    }
+    return read();
 }
 
 }  // namespace

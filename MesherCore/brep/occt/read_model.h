@@ -17,6 +17,9 @@ struct ReadOptions
     /// Let the kernel repair the shape (ShapeFix) before it is looked at; the model's notes say what changed. DEFAULT: false,
     /// the shape stays as the file has it, up to what the STEP and IGES readers do on their own.
     bool heals = false;
+    /// Read a file in a process of its own first, which tells of files on which the kernel crashes. Takes the time of reading once more;
+    /// for those to leave out whose own end by a signal somebody is waiting for, and for shapes that the kernel itself has just written.
+    bool isTried = true;
 };
 
 /// A model beside the kernel's shape that it was made from, which file writers and checks may want.

@@ -2,7 +2,6 @@
 
 #include "brep/occt/file_damage.h"
 #include "brep/occt/occt_error.h"
-#include "brep/occt/trial_process.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -14,10 +13,15 @@
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -54,6 +58,28 @@ Result<TopoDS_Shape> transfer(Reader& reader, const std::string& name)
     return shape;
 }
 
+Handle(StepBasic_Product) productOf(const Handle(StepBasic_ProductDefinition) & definition)
+{
+    if (definition.IsNull() || definition->Formation().IsNull()) return nullptr;
+    return definition->Formation()->OfProduct();
+}
+
+/// Of the products that others are made of.
+std::vector<std::string> partsOf(const Handle(StepData_StepModel) & model)
+{
+    std::vector<std::string> names;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto use = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(model->Value(i));
+        if (use.IsNull()) continue;
+        const Handle(StepBasic_Product) product = productOf(use->RelatedProductDefinition());
+        if (product.IsNull() || product->Name().IsNull()) continue;
+        const std::string name = product->Name()->ToCString();
+        if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+    }
+    return names;
+}
+
 Result<ShapeFromFile> readStep(const std::string& content, const std::string& name)
 {
     STEPControl_Reader reader;
@@ -68,10 +94,11 @@ Result<ShapeFromFile> readStep(const std::string& content, const std::string& na
     if (!shape) return shape.error();
     TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
     reader.FileUnits(lengths, angles, solidAngles);
-    return ShapeFromFile{*std::move(shape), lengths.IsEmpty() ? "" : lengths.First().ToCString()};
+    return ShapeFromFile{*std::move(shape), lengths.IsEmpty() ? "" : lengths.First().ToCString(),
+                         partsOf(reader.StepModel())};
 }
 
-Result<ShapeFromFile> readIgesHere(const std::string& name)
+Result<ShapeFromFile> readIges(const std::string& name)
 {
     IGESControl_Reader reader;
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
@@ -83,15 +110,7 @@ Result<ShapeFromFile> readIgesHere(const std::string& name)
     Result<TopoDS_Shape> shape = transfer(reader, name);
     if (!shape) return shape.error();
     const Handle(TCollection_HAsciiString) unit = reader.IGESModel()->GlobalSection().UnitName();
-    return ShapeFromFile{*std::move(shape), unit.IsNull() ? "" : unit->ToCString()};
-}
-
-/// The kernel's reader of IGES crashes on some damaged files before anything can be asked of it.
-Result<ShapeFromFile> readIges(const std::string& name)
-{
-    if (!endsByItself([&] { static_cast<void>(readIgesHere(name)); }))
-        return unreadable(name, "the IGES file is damaged: the CAD kernel fails on it");
-    return readIgesHere(name);
+    return ShapeFromFile{*std::move(shape), unit.IsNull() ? "" : unit->ToCString(), {}};
 }
 
 /// The kernel's BREP readers go on, without end, when a stream fails: this one throws instead.
@@ -109,7 +128,7 @@ ShapeFromFile readText(const std::string& content)
     std::istringstream stream = throwingStream(content + "\n");
     TopoDS_Shape shape;
     BRepTools::Read(shape, stream, BRep_Builder());
-    return {shape, ""};
+    return {shape, "", {}};
 }
 
 /// After the shapes OCCT names the root by a sign and two integers, FreeCAD by three integers.
@@ -125,7 +144,7 @@ ShapeFromFile readBinary(const std::string& content)
         std::istringstream again = throwingStream(content);
         TopoDS_Shape shape;
         BinTools::Read(shape, again);
-        return {shape, ""};
+        return {shape, "", {}};
     }
     int index = 0, location = 0, orientation = 0;
     BinTools::GetInteger(stream, index);
@@ -138,7 +157,7 @@ ShapeFromFile readBinary(const std::string& content)
     TopoDS_Shape shape = set.Shape(index);
     shape.Location(set.Locations().Location(location));
     shape.Orientation(static_cast<TopAbs_Orientation>(orientation));
-    return {shape, ""};
+    return {shape, "", {}};
 }
 
 /// Runs one of the two readers of BREP; a null shape from it means damage, as does an end of the stream before its own.

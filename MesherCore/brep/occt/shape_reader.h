@@ -6,6 +6,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <string>
+#include <vector>
 
 namespace mesher {
 
@@ -14,6 +15,7 @@ struct ShapeFromFile
     TopoDS_Shape shape;
     std::string
         unit;  ///< that the file states, "" if none; lengths are converted to millimetres all the same
+    std::vector<std::string> parts;  ///< names of the parts of an assembly in STEP, in the order of the file
 };
 
 /// Requires     an OcctSilence alive

@@ -1,4 +1,5 @@
 """What the panel of a mesh object says."""
+import html
 import json
 
 from ..messages import translated
@@ -37,7 +38,8 @@ def summary_of(obj):
     if is_volume and volume and wanted:
         rows.append((translated("Volume"), translated("{share:.3f} % of the shape's").format(share=100.0 * volume / wanted)))
     cells = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td align='right'><b>{value}</b></td></tr>" for name, value in rows)
-    return f"<table>{cells}</table>"
+    warnings = "".join(f"<p>{html.escape(text)}</p>" for text in report.get("warnings", []))
+    return f"<table>{cells}</table>{warnings}"
 
 
 def histogram_of(obj):

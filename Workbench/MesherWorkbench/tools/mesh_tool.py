@@ -1,6 +1,7 @@
 """From a mesh object's properties to its mesh. Reading and filling in the document belong to the main thread; `run` and
 `estimate` between them may be on any."""
 import json
+import re
 
 import FreeCAD
 
@@ -36,6 +37,9 @@ class MeshTool:
         """What the part calls an entity that the mesher names."""
         return self._names.get(entity, entity)
 
+    def _in_part(self, text):
+        return re.sub(r"\b(?:Vertex|Edge|Face|Solid)\d+\b", lambda name: self.name_in_part(name[0]), text)
+
     def fill_in(self, mesh):
         obj = self._obj
         obj.FemMesh = mesh.to_fem_mesh(names=self._names)
@@ -45,7 +49,10 @@ class MeshTool:
         obj.ElementCount = len(mesh.tets) if is_volume else len(mesh.triangles)
         obj.SmallestAngle = quality["min_dihedral" if is_volume else "min_angle"]
         obj.LargestAngle = quality["max_dihedral" if is_volume else "max_angle"]
-        obj.Report = json.dumps(mesh.report)
+        report = {**mesh.report, "warnings": [self._in_part(text) for text in mesh.report["warnings"]]}
+        obj.Report = json.dumps(report)
+        for text in report["warnings"]:
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
         obj.purgeTouched()
 
 

@@ -2,9 +2,11 @@
 
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
@@ -16,8 +18,12 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BinTools.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Message.hxx>
+#include <STEPControl_Writer.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
@@ -151,6 +157,67 @@ TopoDS_Shape shellOnly()
     return shellOf(faces);
 }
 
+/// Each face with edges of its own.
+std::vector<TopoDS_Shape> apart(const std::vector<TopoDS_Shape>& faces)
+{
+    std::vector<TopoDS_Shape> copies;
+    for (const TopoDS_Shape& face : faces) copies.push_back(BRepBuilderAPI_Copy(face).Shape());
+    return copies;
+}
+
+TopoDS_Shape openBoxOfFaces()
+{
+    std::vector<TopoDS_Shape> faces = apart(facesOf(box({0, 0, 0}, {1, 2, 3})));
+    faces.pop_back();
+    return together(faces);
+}
+
+TopoDS_Shape quadrangle(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp_Pnt& d)
+{
+    return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakePolygon(a, b, c, d, true).Wire(), true).Face();
+}
+
+/// An open box whose lid is two faces that end where no other face has a vertex.
+TopoDS_Shape boxWithLidInHalves()
+{
+    std::vector<TopoDS_Shape> faces = facesOf(openBoxOfFaces());
+    faces.push_back(quadrangle({0, 0, 3}, {1, 0, 3}, {1, 0.7, 3}, {0, 0.7, 3}));
+    faces.push_back(quadrangle({0, 0.7, 3}, {1, 0.7, 3}, {1, 2, 3}, {0, 2, 3}));
+    return together(faces);
+}
+
+TopoDS_Shape hollowOfFaces()
+{
+    std::vector<TopoDS_Shape> faces = apart(facesOf(box({0, 0, 0}, {4, 4, 4})));
+    for (const TopoDS_Shape& face : apart(facesOf(box({1, 1, 1}, {3, 3, 3})))) faces.push_back(face);
+    return together(faces);
+}
+
+/// A solid with a face in it that bounds nothing.
+TopoDS_Shape boxWithInnerFace()
+{
+    const BRep_Builder builder;
+    TopoDS_Shape solid = box({0, 0, 0}, {2, 2, 2});
+    builder.Add(solid, shellOf({quadrangle({0.5, 0.5, 1}, {1.5, 0.5, 1}, {1.5, 1.5, 1}, {0.5, 1.5, 1})
+                                    .Oriented(TopAbs_INTERNAL)}));
+    return solid;
+}
+
+/// A solid, and beside it a face, an edge and a vertex.
+TopoDS_Shape boxWithStrays()
+{
+    return together({box({0, 0, 0}, {1, 1, 1}), quadrangle({2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {2, 1, 0}),
+                     BRepBuilderAPI_MakeEdge(gp_Pnt(4, 0, 0), gp_Pnt(5, 0, 0)).Edge(),
+                     BRepBuilderAPI_MakeVertex(gp_Pnt(6, 0, 0)).Vertex()});
+}
+
+TopoDS_Shape emptySolid()
+{
+    TopoDS_Solid nothing;
+    BRep_Builder().MakeSolid(nothing);
+    return nothing;
+}
+
 /// A closed shell of triangles and quadrangles between corners, each edge made once.
 class Polyhedron
 {
@@ -257,6 +324,22 @@ TopoDS_Shape needlePrism()
         .Shape();
 }
 
+bool writeText(const TopoDS_Shape& shape, const std::string& path)
+{
+    return !shape.IsNull() && BRepTools::Write(shape, path.c_str());
+}
+
+/// In the other formats that are read.
+bool writeOthers(const TopoDS_Shape& shape, const std::string& path)
+{
+    Message::DefaultMessenger()->ChangePrinters().Clear();
+    STEPControl_Writer step;
+    IGESControl_Writer iges("MM", 0);
+    return step.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone &&
+           step.Write((path + ".step").c_str()) == IFSelect_RetDone && iges.AddShape(shape) &&
+           iges.Write((path + ".igs").c_str()) && BinTools::Write(shape, (path + ".bin.brep").c_str());
+}
+
 }  // namespace
 
 int main(int count, char** words)
@@ -299,6 +382,15 @@ int main(int count, char** words)
          together({boxWithHole(),
                    BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(2.0, 1.5, 0.0), gp_Dir(0.0, 0.0, 1.0)), 0.7, 2.0)
                        .Shape()})},
+        // Faces that are no solid yet, and what is no part of one
+        {"box_of_faces", together(apart(facesOf(box({0, 0, 0}, {1, 2, 3}))))},
+        {"open_box_of_faces", openBoxOfFaces()},
+        {"box_with_lid_in_halves", boxWithLidInHalves()},
+        {"hollow_of_faces", hollowOfFaces()},
+        {"box_with_inner_face", boxWithInnerFace()},
+        {"box_with_strays", boxWithStrays()},
+        {"box_and_empty_solid", together({unit, emptySolid()})},
+        {"empty_solid", emptySolid()},
         // … or are apart
         {"boxes_apart", together({unit, moved(unit, 1.5, 0, 0)})},
         {"pin_loose_in_bore",
@@ -308,8 +400,9 @@ int main(int count, char** words)
     };
     for (auto& part : roundParts()) models.push_back(std::move(part));
     for (const auto& [name, shape] : models) {
-        const std::string path = std::string(words[1]) + '/' + name + ".brep";
-        if (shape.IsNull() || !BRepTools::Write(shape, path.c_str())) {
+        const std::string path = std::string(words[1]) + '/' + name;
+        const bool hasOthers = name == "box_with_hole" || name == "cut_ball";
+        if (!writeText(shape, path + ".brep") || (hasOthers && !writeOthers(shape, path))) {
             std::fprintf(stderr, "solid_models: %s cannot be written\n", path.c_str());
             return 1;
         }

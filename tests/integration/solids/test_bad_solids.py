@@ -14,7 +14,8 @@ from solid_case import MODELS, PROGRAM, Case, mesher, run_tests
 # By model: a pattern for the whole sentence, and what the report names as the entity.
 REFUSED = {
     "without_lid": (r"Solid1: has an open shell, that of Face1; .*dimension.2", "Solid1"),
-    "shell_only": (r"has no solid; .*dimension.2", "model"),
+    "open_box_of_faces": (r"has no solid; .*dimension.2", "model"),
+    "box_and_empty_solid": (r"Solid2: the solid is empty.*; delete it", "Solid2"),
     "pulled_through": (r"(Edge|Face)\d+.* at \(.*\): .+; .+", r"(Edge|Face)\d+.*"),
     "bow_tie_prism": (r"Face5 at \(.*\): its edges cross; .+", "Face5"),
     "without_height": (r"Face1 and Face2 at \(.*\): .+; .+", "Face1 and Face2"),
@@ -54,6 +55,9 @@ class BadSolids(RefusalCase):
                 failure = report["failures"][0]
                 self.assertRegex(failure["entity"], f"^{entity}$")
                 self.assertTrue(failure["reason"] and failure["remedy"])
+
+    def test_a_model_that_is_an_empty_solid_names_it(self):
+        self.expect_refusal(MODELS / "empty_solid.brep", r"empty_solid.brep, Solid1: the solid is empty")
 
     def test_are_refused_by_python_with_the_same_failure(self):
         if mesher is None:

@@ -183,4 +183,54 @@ TEST(OcctModel, MeasuresSheetsOfManyFolds)
     EXPECT_NEAR(inspectModel(read->model).area, 3.0 * kFolds * std::sqrt(2.0), 1e-6);
 }
 
+namespace {
+
+/// A round wall of splines that are periodic along u.
+TopoDS_Shape periodicWall()
+{
+    constexpr int kPoles = 8;
+    TColgp_Array2OfPnt poles(1, kPoles, 1, 2);
+    TColStd_Array1OfReal knots(1, kPoles + 1), across(1, 2);
+    TColStd_Array1OfInteger multiplicities(1, kPoles + 1), twice(1, 2);
+    for (int i = 0; i < kPoles; ++i) {
+        const double angle = 2.0 * M_PI * i / kPoles;
+        poles.SetValue(i + 1, 1, gp_Pnt(std::cos(angle), std::sin(angle), 0.0));
+        poles.SetValue(i + 1, 2, gp_Pnt(std::cos(angle), std::sin(angle), 1.0));
+    }
+    for (int i = 0; i <= kPoles; ++i) knots.SetValue(i + 1, i);
+    multiplicities.Init(1);
+    across.SetValue(1, 0.0);
+    across.SetValue(2, 1.0);
+    twice.Init(2);
+    const Handle(Geom_Surface) wall =
+        new Geom_BSplineSurface(poles, knots, across, multiplicities, twice, 3, 1, true, false);
+    return BRepBuilderAPI_MakeFace(wall, 1e-7).Face();
+}
+
+}  // namespace
+
+TEST(OcctModel, AnswersAtParametersManyPeriodsAway)
+{
+    const BrepModel model = readModelFromShape(periodicWall()).value().model;
+    const BrepFace& face = model.faces[BrepFaceId(0)];
+    const double period = face.surface->periodU();
+    ASSERT_EQ(period, 8.0);
+    const Vec3 near = face.surface->position({1.25, 0.5});
+    for (const double turns : {3.0, -70.0, 1e9, -1e12}) {
+        EXPECT_LT(length(face.surface->position({1.25 + turns * period, 0.5}) - near), 1e-3) << turns;
+        EXPECT_TRUE(isFinite(face.surface->evaluate({1.25 + turns * period, 0.5}).du)) << turns;
+        EXPECT_EQ(face.trim->classify({1.25 + turns * period, 0.5}), TrimSide::Inside) << turns;
+    }
+    for (const double far : {1e30, -1e300}) {
+        EXPECT_TRUE(isFinite(face.surface->position({far, far}))) << far;
+        EXPECT_EQ(face.trim->classify({1.0, far}), TrimSide::Outside) << far;
+    }
+    EXPECT_FALSE(isFinite(face.surface->position({std::nan(""), 0.5})));
+    EXPECT_EQ(face.trim->classify({std::nan(""), 0.5}), TrimSide::Outside);
+    for (const BrepEdge& edge : model.edges) {
+        EXPECT_TRUE(isFinite(edge.curve->position(edge.part.first + 1e14)));
+        EXPECT_FALSE(isFinite(edge.curve->position(std::nan(""))));
+    }
+}
+
 }  // namespace mesher

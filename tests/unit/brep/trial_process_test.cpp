@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <csignal>
 #include <stdexcept>
 
@@ -25,6 +27,13 @@ TEST(TrialProcess, WhatTheStepChangesIsNotSeenHere)
     int value = 1;
     EXPECT_TRUE(endsByItself([&] { value = 2; }));
     EXPECT_EQ(value, 1);
+}
+
+TEST(TrialProcess, AProcessThatStandsStillIsGivenUp)
+{
+    EXPECT_TRUE(endsByItself([] {
+        for (;;) pause();
+    }));
 }
 
 TEST(TrialProcess, HandlersOfTheCallerDoNotHideACrash)
