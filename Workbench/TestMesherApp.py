@@ -231,7 +231,7 @@ class Options(_DocumentTest):
     def test_each_reaches_the_report(self):
         box = self._feature(Part.makeBox(4, 4, 4))
         wishes = {"size": 2.0, "min_size": 0.25, "curvature": 12, "sag": 0.5, "refinement": 1.5, "grading": 2.0, "improve": False,
-                  "threads": 2, "min_angle": 25.0, "max_turn": 60.0, "measure": "q3", "threshold": 0.25, "max_dihedral": 150.0, "overlap": "refuse",
+                  "threads": 2, "min_angle": 25.0, "max_turn": 60.0, "measure": "q3", "threshold": 0.25, "max_dihedral": 150.0, "lambda_": 6.0, "overlap": "refuse",
                   "max_elements": 90_000, "max_wall_elements": 5000, "timeout": 100.0, "check": True, "heal": True,
                   "size_formula": "3 + x", "local_sizes": {"Face6": 1.5, "Solid1": 1.75},
                   "size_distance": {"Edge1": (1.0, 0.5), "Face1": (1.25, 0.5, 0.125)},

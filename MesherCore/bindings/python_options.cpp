@@ -163,6 +163,7 @@ const std::map<std::string, Setter>& setters()
         {"measure", setMeasure},
         {"threshold", setterOf(&MeshOptions::threshold)},
         {"max_dihedral", setterOf(&MeshOptions::maxDihedral)},
+        {"lambda_", setterOf(&MeshOptions::lambda)},
         {"improve", setterOf(&MeshOptions::isImproved)},
         {"order", setterOf(&MeshOptions::order)},
         {"threads", setterOf(&MeshOptions::threads)},

@@ -54,6 +54,9 @@ po::options_description meshingOptions()
     add("max-dihedral", po::value<std::string>(),
         "angle above which a tetrahedron is refined whatever it scores, degrees, 120 to 180 (default 155; "
         "off for q1, q5, q7)");
+    add("lambda", po::value<std::string>(),
+        "how far below the sizes around them bad tetrahedra are refined before all else is done, 1 or more "
+        "(default 5)");
     add("no-improve", po::bool_switch(), "leave out the improvement at the end");
     add("order", po::value<std::string>(), "of elements, 1 or 2 (default 1)");
     add("threads", po::value<std::string>(), "the mesh does not depend on it (default 1)");
@@ -118,6 +121,7 @@ void readMeshOptions(OptionReader& reader, MeshOptions& options)
     }
     reader.read("threshold", options.threshold);
     reader.read("max-dihedral", options.maxDihedral);
+    reader.read("lambda", options.lambda);
     options.isImproved = !reader.isSet("no-improve");
     reader.read("order", options.order);
     reader.read("threads", options.threads);

@@ -24,9 +24,9 @@ namespace {
 // the size (size_bounds.h), so that there are fewer. Beside a face finer than its surroundings elements grow away from it.
 constexpr double kRegularTet = 0.118;
 constexpr double kRegularTriangle = 0.433;
-constexpr double kTetsForWanted = 0.7;
+constexpr double kTetsForWanted = 0.72;
 constexpr double kTetsForFineTriangle = 9.0;  // with those along its edges
-constexpr double kTetsForFineFacet = 7.5;
+constexpr double kTetsForFineFacet = 9.2;
 constexpr double kTetsForEdge = 15.0;
 constexpr double kBytesForTet = 220.0;
 constexpr double kBytesAtLeast = 4e7;

@@ -74,6 +74,9 @@ Result<void> validate(const MeshOptions& options)
     if (options.maxDihedral) {
         if (auto r = checkRange("max-dihedral", *options.maxDihedral, 120.0, 180.0); !r) return r;
     }
+    if (options.lambda) {
+        if (auto r = checkRange("lambda", *options.lambda, 1.0, 1e8); !r) return r;
+    }
     return validateRun(options);
 }
 

@@ -58,6 +58,8 @@ struct MeshOptions
         threshold;  ///< score below which a tetrahedron is refined; (0, 1]. DEFAULT: of the measure
     /// Dihedral angle above which a tetrahedron is refined whatever it scores, degrees, 120 … 180 (off). DEFAULT: of the measure
     std::optional<double> maxDihedral;
+    /// How far below the length scale of a place refinement for quality goes before all else is done; 1 … 1e8. DEFAULT: of the measure
+    std::optional<double> lambda;
     bool isImproved = true;  ///< DEFAULT: true
     int order = 1;           ///< of elements, 1 or 2. DEFAULT: 1
     ///@}

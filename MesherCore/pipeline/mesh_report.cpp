@@ -136,6 +136,7 @@ Json toJson(const MeshOptions& options)
                  {"measure", infoOf(options.measure).key},
                  {"threshold", options.threshold.value_or(infoOf(options.measure).threshold)},
                  {"max_dihedral", options.maxDihedral.value_or(infoOf(options.measure).largestDihedral)},
+                 {"lambda", options.lambda.value_or(infoOf(options.measure).lambda)},
                  {"improve", options.isImproved},
                  {"order", options.order},
                  {"threads", options.threads},

@@ -175,11 +175,13 @@ bool SolidRun::refine()
 {
     RefineVolumeOptions refinement;
     refinement.sizing.usesLocalFeatureSize = false;
+    refinement.sizing.usesFacetSides = true;
     refinement.sizing.grading = options_.grading;
     refinement.sizing.field = sizes_.get();
     refinement.quality.measure = options_.measure;
     refinement.quality.threshold = options_.threshold;
     refinement.quality.largestDihedral = options_.maxDihedral;
+    refinement.quality.lambda = options_.lambda;
     refinement.leastGap = kLeastGapShare * length(model_.box.extent());
     refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
     refinement.limits.maxElements = options_.maxElements;

@@ -65,6 +65,8 @@ void tellCounts(const RefinedVolume& refined, MeshReport& report)
     add(report, "facet_swaps", counts.facetSwaps);
     add(report, "bent_facet_swaps", counts.bentSwaps);
     add(report, "stubborn_tets", counts.stubbornTets);
+    add(report, "tets_held_back", counts.heldBackTets);
+    add(report, "lifted_insertions", counts.liftedInsertions);
     add(report, "outside_vertices", counts.outsideVertices);
     add(report, "non_delaunay_faces_left", counts.nonDelaunayFaces);
     add(report, "refinement_cut_short", refined.hasStalled ? 1 : 0);

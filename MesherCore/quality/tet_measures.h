@@ -56,12 +56,18 @@ struct TetMeasureInfo
     /// Degrees, beyond which it is refined whatever it scores; 180 is off. The thesis has no such bound: its q2 alone allows 161.
     /// q1 and q7 do not see slivers and q5 sees large angles late: held to it they would take up to twice as many vertices and more.
     double largestDihedral;
+    /// q3 below which it is refined whatever it scores; 0 is off. q2 calls spires good, which three vertices near to each other make
+    /// with a fourth far off: a ball by curvature alone was a star of them around its centre.
+    double leastVolumeLength = 0.0;
+    /// How far below the length scale quality may refine at first: a bad tetrahedron waits if its radius is less than the scale
+    /// there over about twice this.
+    double lambda = 5.0;
 };
 
 inline constexpr std::array<TetMeasureInfo, 8> kTetMeasures = {{
     {TetMeasure::ShortestEdgeToCircumradius, "q1", "shortest edge to circumradius", 1.0, 0.52, 180.0},
     {TetMeasure::MinimumDihedralSine, "q2", "smallest sine of a dihedral angle", 0.94280904158206337, 0.32,
-     155.0},
+     155.0, 0.25},
     {TetMeasure::VolumeLength, "q3", "volume to edge lengths", 1.0, 0.32, 155.0},
     {TetMeasure::RadiusRatio, "q4", "inradius to circumradius", 1.0, 0.36, 155.0},
     {TetMeasure::MinimumSolidAngle, "q5", "smallest solid angle", 1.0, 0.21, 180.0},

@@ -13,10 +13,33 @@ void BadTetQueue::push(TetId tet)
     const TetVerdict verdict = state_.judge(tet);
     if (verdict.need == TetNeed::Nothing) return;
     if (isSinkPhase_) {
-        if (state_.criteria.isSink(tet)) sinks_.push(tet, state_.mesh.generation(tet), verdict.key);
+        if (verdict.need != TetNeed::HeldBack && state_.criteria.isSink(tet))
+            sinks_.push(tet, state_.mesh.generation(tet), verdict.key);
+        return;
+    }
+    if (verdict.need == TetNeed::HeldBack) {
+        heldBack_.push_back({tet, state_.mesh.generation(tet), verdict.key});
         return;
     }
     queueFor(verdict.need).push(tet, state_.mesh.generation(tet), verdict.key);
+}
+
+bool BadTetQueue::isCurrent(const Entry& entry) const
+{
+    return state_.mesh.generation(entry.id) == entry.generation && state_.isMeshed(entry.id);
+}
+
+std::size_t BadTetQueue::pushHeldBack()
+{
+    std::vector<Entry> waiting;
+    waiting.swap(heldBack_);
+    std::size_t count = 0;
+    for (const Entry& entry : waiting) {
+        if (!isCurrent(entry) || state_.judge(entry.id).need != TetNeed::Quality) continue;
+        push(entry.id);
+        ++count;
+    }
+    return count;
 }
 
 void BadTetQueue::pushAll()
@@ -42,16 +65,15 @@ void BadTetQueue::pushStar(VertexId v)
 
 std::optional<BadTetQueue::Entry> BadTetQueue::takeSink()
 {
-    return sinks_.popCurrent([&](const Entry& e) {
-        return state_.mesh.generation(e.id) == e.generation && state_.isMeshed(e.id);
-    });
+    return sinks_.popCurrent([&](const Entry& e) { return isCurrent(e); });
 }
 
 std::optional<BadTetQueue::Entry> BadTetQueue::take(TetNeed need)
 {
     return queueFor(need).popCurrent([&](const Entry& e) {
-        if (state_.mesh.generation(e.id) != e.generation || !state_.isMeshed(e.id)) return false;
+        if (!isCurrent(e)) return false;
         const TetVerdict verdict = state_.judge(e.id);
+        if (verdict.need == TetNeed::HeldBack) heldBack_.push_back(e);
         return verdict.need == need && verdict.key == e.key;
     });
 }

@@ -32,6 +32,9 @@ public:
     {
         queueFor(need).push(entry.id, entry.generation, entry.key);
     }
+    [[nodiscard]] bool hasHeldBack() const { return !heldBack_.empty(); }
+    /// Queues those that lambda has held back, as far as they are there still and it does not any more. How many.
+    std::size_t pushHeldBack();
     /// A vertex has become low: lowers the length scales around it and queues what is too large by them.
     void gradeAround(VertexId v);
 
@@ -41,6 +44,7 @@ public:
     [[nodiscard]] std::size_t size() const { return sinks_.size() + sizes_.size() + qualities_.size(); }
 
 private:
+    [[nodiscard]] bool isCurrent(const Entry& entry) const;
     BucketQueue<TetId>& queueFor(TetNeed need) { return need == TetNeed::Size ? sizes_ : qualities_; }
     void pushStar(VertexId v);
 
@@ -48,6 +52,7 @@ private:
     BucketQueue<TetId> sinks_;
     BucketQueue<TetId> sizes_;
     BucketQueue<TetId> qualities_;
+    std::vector<Entry> heldBack_;
     std::vector<VertexId> lowered_;
     std::vector<TetId> star_;
     bool isSinkPhase_ = false;

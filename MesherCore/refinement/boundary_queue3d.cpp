@@ -116,6 +116,13 @@ void BoundaryQueue3d::pushEncroachedAt(TetId tet)
     }
 }
 
+void BoundaryQueue3d::forgetRefusals()
+{
+    refusedSegments_.clear();
+    refusedFacets_.clear();
+    deferredFacets_.clear();
+}
+
 void BoundaryQueue3d::serveNext()
 {
     if (!segments_.empty()) {
@@ -133,7 +140,7 @@ void BoundaryQueue3d::serveSegment()
     const VertexId a = state_.t.vertexOf[whole.node[0]];
     const VertexId b = state_.t.vertexOf[whole.node[1]];
     const double span = length(state_.mesh.position(b) - state_.mesh.position(a));
-    const bool maySplit = state_.criteria.maySplit(a, b) && state_.walls.maySplit(std::array{a, b}, span);
+    const bool maySplit = state_.maySplit(a, b) && state_.walls.maySplit(std::array{a, b}, span);
     const bool isAllowed =
         (state_.criteria.isTooLong(a, b) || (maySplit && !gaps_.isBeside(segment))) && span > 2.0 * floor();
     if (isAllowed) {
@@ -157,7 +164,7 @@ void BoundaryQueue3d::serveFacet()
     const auto corners = state_.cornersOf(facet);
     const std::optional<ProtectingBall> ball = ballOf(facet);
     const auto maySplit = [&] {
-        return state_.criteria.maySplit(corners) &&
+        return state_.maySplit(corners) && !gaps_.isInside(corners) &&
                state_.walls.maySplit(corners, 2.0 * std::sqrt(ball->squaredRadius));
     };
     const bool isAllowed = ball && (state_.criteria.isTooLarge(corners) || maySplit()) &&

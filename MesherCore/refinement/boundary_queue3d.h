@@ -13,7 +13,7 @@ namespace mesher {
 
 /// The segments and facets that wait for their split: too large, or encroached. Segments come before facets, the largest
 /// first. What may not or cannot be split is refused for good.
-/// Terminates   each entity is split or refused once
+/// Terminates   each entity is split or refused, once between two calls of forgetRefusals
 /// Reference    [gosselin] sections 4.3 and 4.7.2
 class BoundaryQueue3d
 {
@@ -35,6 +35,8 @@ public:
     [[nodiscard]] std::size_t size() const { return segments_.size() + facets_.size(); }
     /// Splits or refuses the next one.
     void serveNext();
+    /// What was refused may be tried once more, now that more is allowed.
+    void forgetRefusals();
 
     /// Beside which segments were split for their length alone.
     [[nodiscard]] const std::vector<NarrowGap>& narrowGaps() const { return gaps_.gaps(); }

@@ -51,6 +51,7 @@ public:
         badTets_.pushAll();
         drain(Phase::Size);
         drain(Phase::Quality);
+        tryHeldBack();
         DelaunayRefinement3d result;
         result.nonDelaunayFaces = makeDelaunay();
         if (insistOnStubborn()) result.nonDelaunayFaces = makeDelaunay();
@@ -90,6 +91,7 @@ private:
             if (!context_.reportProgress("refinement", progress_)) context_.requestCancel();
         }
         if (!budget_.allows({state_.mesh.vertexCount(), meshedTets()})) return false;
+        if (budget_.operations() > liftedUntil_) state_.isLambdaLifted = false;
         hasStalled_ = state_.ledger.isSpent();
         if (hasStalled_) return false;
         if (context_.checkLevel() == CheckLevel::Full && std::has_single_bit(budget_.operations())) {
@@ -131,6 +133,21 @@ private:
             if (serveTet(TetNeed::Size)) continue;
             if (phase == Phase::Size || !serveTet(TetNeed::Quality)) return;
         }
+    }
+
+    /// What lambda has held back is tried with it lifted, now that the mesh around is good, and so is what that makes: mostly a
+    /// few that would be a little too small. An allowance of operations ends what would go on.
+    void tryHeldBack()
+    {
+        constexpr std::uint64_t kFewOperations = 1000;
+        constexpr std::uint64_t kOperationsForEach = 20;
+        if (isStopped_ || !badTets_.hasHeldBack()) return;
+        state_.liftLambda();
+        state_.counts.heldBackTets = badTets_.pushHeldBack();
+        boundary_.forgetRefusals();
+        liftedUntil_ =
+            budget_.operations() + kFewOperations + kOperationsForEach * state_.counts.heldBackTets;
+        drain(Phase::Quality);
     }
 
     /// Bad tetrahedra that nothing could be done for are tried once more if they are few. Whether anything was changed.
@@ -256,6 +273,7 @@ private:
         switch (attempt) {
             case Attempt::Inserted:
                 state_.ledger.settle();
+                if (state_.isLambdaLifted) ++state_.counts.liftedInsertions;
                 ++(need == TetNeed::Size ? state_.counts.sizeInsertions : state_.counts.qualityInsertions);
                 break;
             case Attempt::Rejected: badTets_.pushAgain(*entry, need); break;
@@ -307,6 +325,7 @@ private:
     double bestScore_ = 0.0;
     std::optional<UnreachableQuality3d> unreachable_;
     std::uint32_t exteriorTets_ = 0;  ///< at the start, ghosts included
+    std::uint64_t liftedUntil_ = 0;   ///< operations of the budget after which lambda holds again
     double progress_ = 0.0;
     bool isStopped_ = false;
     bool hasStalled_ = false;

@@ -47,6 +47,8 @@ struct RefinementCounts3d
     std::uint64_t facetSwaps = 0;         ///< of the diagonal of two facets
     std::uint64_t bentSwaps = 0;          ///< of these, of facets off one plane, which move the surface
     std::uint64_t stubbornTets = 0;       ///< that were made to give way at the end, see StubbornTets
+    std::uint64_t heldBackTets = 0;       ///< that lambda left at first, and were tried again with it lifted
+    std::uint64_t liftedInsertions = 0;   ///< of circumcentres with lambda lifted
     std::uint64_t outsideVertices = 0;    ///< added outside of the solids so that facets could be swapped
     std::uint64_t nonDelaunayFaces = 0;   ///< left: unconstrained, inside of the solids
     BoundarySplitCounts boundary;

@@ -51,10 +51,10 @@ Encroached3d findEncroached(const Triangulation3d& mesh, const Cavity3d& conflic
         const Vec3& a = mesh.position(v[0]);
         const Vec3& b = mesh.position(v[1]);
         const Vec3& c = mesh.position(v[2]);
-        if (orient3d(filter, a, b, c, conflicts.point) != Sign::Positive) {
-            found.hasFacetBehind = true;
-            continue;
-        }
+        const Sign side = orient3d(filter, a, b, c, conflicts.point);
+        if (side != Sign::Positive) found.hasFacetBehind = true;
+        // In the plane of a facet the point can be in it.
+        if (side == Sign::Negative) continue;
         const std::optional<ProtectingBall> ball = ProtectingBall::ofFacet(a, b, c);
         if (!ball || !ball->contains(conflicts.point)) continue;
         const double depth = ball->depthOf(conflicts.point);

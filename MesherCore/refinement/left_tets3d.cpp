@@ -10,18 +10,6 @@ namespace mesher {
 
 namespace {
 
-std::optional<SmallInputAngle> blameFor(const RefinementState3d& state, TetId tet)
-{
-    constexpr double kReach = 2.0;  // in length scales
-    Vec3 centroid;
-    double scale = 0.0;
-    for (const VertexId v : state.mesh.tet(tet).vertex) {
-        centroid = centroid + 0.25 * state.mesh.position(v);
-        scale += 0.25 * state.scale.guard(v);
-    }
-    return state.guard.blameFor((1.0 / state.t.scale) * centroid, kReach * scale / state.t.scale);
-}
-
 EntityRef boundaryInTheWay(RefinementState3d& state, TetId tet)
 {
     const std::optional<Vec3> centre = state.criteria.circumcentre(tet);
@@ -62,10 +50,10 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
         left.other = {2, wall->face[1].value};
         return left;
     }
-    left.angle = blameFor(state, tet);
+    left.angle = state.smallAngleNear(tet);
     if (left.angle) {
         left.reason = LeftReason3d::SmallInputAngle;
-    } else if (verdict.need == TetNeed::Nothing) {
+    } else if (verdict.need == TetNeed::HeldBack) {
         left.reason = LeftReason3d::LengthScale;
         left.entity = entityBeside(state, tet);
     } else if (!costliest.empty()) {
@@ -92,7 +80,8 @@ std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped,
         const TetId tet(i);
         if (!state.isMeshed(tet)) continue;
         const TetVerdict verdict = state.judge(tet);
-        if (verdict.need == TetNeed::Nothing && !state.criteria.isBad(tet)) continue;
+        const bool isWall = state.walls.isInKept(tet);
+        if (verdict.need == TetNeed::Nothing && !(isWall && state.criteria.isBad(tet))) continue;
         left.push_back(explain(state, tet, verdict, isStopped, costliest));
     }
     return left;

@@ -13,6 +13,10 @@ namespace {
 /// Scales that are too high by less than this are left: each lowering looks at its neighbourhood again.
 constexpr double kSlack = 1.02;
 
+/// The length scale at the boundary over the mean side of the facets there. Facets around a vertex differ by up to a quarter from
+/// their mean where the surface is refined to one size; those must not be split for that.
+constexpr double kScaleOfSides = 1.25;
+
 GradationGraph graphOf(const Triangulation3d& mesh)
 {
     std::vector<std::uint64_t> keys;
@@ -61,10 +65,12 @@ void LengthScale3d::setInitial()
 {
     const GradationGraph graph = graphOf(mesh_);
     std::vector<double> guard = localFeatureSizes(mesh_);
+    std::vector<double> sides(guard.size(), kNoSize);
+    if (sizing_.usesFacetSides) sides = meanFacetSides(mesh_);
     std::vector<double> size(guard.size(), kNoSize);
     for (std::uint32_t i = 0; i < guard.size(); ++i) {
         if (guard[i] == kNoSize) continue;
-        size[i] = wantedAt(mesh_.position(VertexId(i)));
+        size[i] = std::min(wantedAt(mesh_.position(VertexId(i))), kScaleOfSides * sides[i]);
         guard[i] = std::min(guard[i] / sizing_.refinement, size[i]);
     }
     gradeSizes(graph, sizing_.grading, guard);

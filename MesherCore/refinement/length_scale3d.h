@@ -13,15 +13,17 @@ namespace mesher {
 /// How large tetrahedra are to be.
 struct VolumeSizing
 {
-    /// Tetrahedra grow with the local feature size. If false, only the user's field asks for sizes; without a field, only
-    /// quality refines.
+    /// Tetrahedra grow with the local feature size. If false, the user's field and the facets ask for sizes.
     bool usesLocalFeatureSize = true;
+    /// Tetrahedra at the boundary are about as large as the facets that they are on, and grow from there. Without the local
+    /// feature size, a field, and this, only quality refines.
+    bool usesFacetSides = false;
     double refinement = 1.0;  ///< R > 0: the length scale at the boundary is lfs / R
     double grading = 1.0;     ///< G > 0: length scales grow by at most distance / G
     /// Edge length wanted by the user, model units, or none; must outlive the run.
     const SizingField* field = nullptr;
 
-    [[nodiscard]] bool isActive() const { return usesLocalFeatureSize || field != nullptr; }
+    [[nodiscard]] bool isActive() const { return usesLocalFeatureSize || usesFacetSides || field != nullptr; }
 };
 
 /// The length scales LS of the vertices: what edges at a vertex are to be long. They stand in the vertex records, in units
@@ -46,7 +48,8 @@ public:
     /// What entities of such scales may be.
     [[nodiscard]] const SizeBounds& bounds() const
     {
-        return sizing_.usesLocalFeatureSize ? kFeatureSizeBounds : kEdgeSizeBounds;
+        const bool isOfShape = sizing_.usesLocalFeatureSize || sizing_.field == nullptr;
+        return isOfShape ? kFeatureSizeBounds : kEdgeSizeBounds;
     }
 
     [[nodiscard]] double size(VertexId v) const { return mesh_.lengthScale(v); }

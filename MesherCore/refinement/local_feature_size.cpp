@@ -69,4 +69,34 @@ std::vector<double> localFeatureSizes(const Triangulation3d& mesh)
     return lfs;
 }
 
+std::vector<double> meanFacetSides(const Triangulation3d& mesh)
+{
+    struct Sides
+    {
+        double sum = 0.0;
+        int count = 0;
+    };
+    std::vector<Sides> at(mesh.vertexLimit());
+    for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
+        if (!isMeshed(mesh, TetId(i))) continue;
+        for (int face = 0; face < 4; ++face) {
+            if (!mesh.isFaceConstrained({TetId(i), face})) continue;
+            const auto v = mesh.faceVertices({TetId(i), face});
+            for (unsigned k = 0; k < 3; ++k) {
+                const VertexId a = v[k], b = v[(k + 1) % 3];
+                const double side = length(mesh.position(b) - mesh.position(a));
+                for (Sides* end : {&at[a.value], &at[b.value]}) {
+                    end->sum += side;
+                    ++end->count;
+                }
+            }
+        }
+    }
+    std::vector<double> mean(at.size(), kNoSize);
+    for (std::size_t v = 0; v < at.size(); ++v) {
+        if (at[v].count > 0) mean[v] = at[v].sum / at[v].count;
+    }
+    return mean;
+}
+
 }  // namespace mesher

@@ -15,4 +15,9 @@ namespace mesher {
 /// Reference    [gosselin] definition 4.2, section 4.4; chords and facets stand for curves and faces
 [[nodiscard]] std::vector<double> localFeatureSizes(const Triangulation3d& mesh);
 
+/// The mean side of the facets around each vertex, by its number, of facets that bound a solid; kNoSize where there are none.
+/// Cost         linear
+/// Units        those of the tetrahedralization
+[[nodiscard]] std::vector<double> meanFacetSides(const Triangulation3d& mesh);
+
 }  // namespace mesher

@@ -41,6 +41,19 @@ bool NarrowGaps::isBeside(SegmentId segment)
     return true;
 }
 
+bool NarrowGaps::isInside(const std::array<VertexId, 3>& facet) const
+{
+    if (!(leastGap_ > 0.0)) return false;
+    const Triangulation3d& mesh = t_.mesh();
+    std::array<Vec3, 3> side;
+    double longest = 0.0;
+    for (unsigned k = 0; k < 3; ++k) {
+        side[k] = mesh.position(facet[(k + 1) % 3]) - mesh.position(facet[k]);
+        longest = std::max(longest, length(side[k]));
+    }
+    return length(cross(side[0], side[1])) < leastGap_ * longest;
+}
+
 /// A vertex of the surface that is beside the segment from a to b, and not beyond one of its ends.
 void NarrowGaps::includeVertex(VertexId v, const Vec3& a, const Vec3& b, Nearest& nearest) const
 {

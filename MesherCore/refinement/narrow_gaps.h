@@ -30,6 +30,8 @@ public:
 
     /// Whether there is such a gap beside the segment; it is kept, if it is the narrowest between its two entities.
     bool isBeside(SegmentId segment);
+    /// Whether the facet is narrower than the least gap: parts of it would be so, too.
+    [[nodiscard]] bool isInside(const std::array<VertexId, 3>& facet) const;
     /// In the order in which they were met.
     [[nodiscard]] const std::vector<NarrowGap>& gaps() const { return gaps_; }
 

@@ -29,6 +29,7 @@ Result<void> validate(const RefineVolumeOptions& options)
     if (!(threshold >= 0.0 && threshold < best)) {
         return outOfRange("threshold", "at least 0 and below the score of the regular tetrahedron");
     }
+    if (!(options.quality.lambda.value_or(1.0) >= 1.0)) return outOfRange("lambda", "1 or more");
     const double largest = options.quality.largestDihedral.value_or(180.0);
     if (!(largest > 90.0 && largest <= 180.0))
         return outOfRange("largest dihedral angle", "90 to 180 degrees");

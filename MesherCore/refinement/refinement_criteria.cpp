@@ -10,6 +10,9 @@ namespace mesher {
 
 namespace {
 
+/// The least squared score that is told apart from that of a flat tetrahedron.
+constexpr double kFlat = 1e-16;
+
 /// Too large by a factor of 1 to 2, 2 to 4, and so on: tetrahedra of one class are refined in the order in which they
 /// came, which stays near the same place of memory.
 double sizeClass(double squaredFactor) { return std::ldexp(1.0, 2 * (std::ilogb(squaredFactor) / 2)); }
@@ -43,8 +46,15 @@ struct RefinementCriteria3d::Shape
 };
 
 RefinementCriteria3d::RefinementCriteria3d(const Triangulation3d& mesh, const LengthScale3d& scale,
-                                           const TetQualityLimits& limits)
-    : mesh_(mesh), scale_(scale), wanted_(limits), bounds_(scale.bounds())
+                                           const TetQualityLimits& limits, double leastGap)
+    : mesh_(mesh),
+      scale_(scale),
+      wanted_(limits),
+      bounds_(scale.bounds()),
+      lambda_(limits.lambda.value_or(infoOf(limits.measure).lambda)),
+      squaredVolumeLength_(infoOf(limits.measure).leastVolumeLength *
+                           infoOf(limits.measure).leastVolumeLength),
+      squaredLeastGap_(leastGap * leastGap)
 {
     applyLimits(wanted_);
 }
@@ -70,8 +80,10 @@ bool RefinementCriteria3d::asksForMoreThanUsual() const
 
 void RefinementCriteria3d::settleForUsual()
 {
-    applyLimits(
-        {.isActive = wanted_.isActive, .measure = wanted_.measure, .threshold = {}, .largestDihedral = {}});
+    TetQualityLimits usual = wanted_;
+    usual.threshold.reset();
+    usual.largestDihedral.reset();
+    applyLimits(usual);
 }
 
 inline RefinementCriteria3d::Shape RefinementCriteria3d::shapeOf(TetId tet) const
@@ -118,6 +130,16 @@ double RefinementCriteria3d::sizeExcess(const Shape& s) const
 /// 1 over the square of the score where the tetrahedron is bad, else 0.
 double RefinementCriteria3d::badness(const Shape& s) const
 {
+    double worst = std::max(dihedralBadness(s), squaredVolumeLength_ > 0.0 ? spireBadness(s) : 0.0);
+    if (limits_.measure == TetMeasure::MinimumDihedralSine) return worst;
+    const double value = score(limits_.measure, {s.corner[0], s.corner[1], s.corner[2], s.corner[3]});
+    if (value < threshold_) worst = std::max(worst, 1.0 / std::max(value * value, kFlat));
+    return worst;
+}
+
+/// The same for the largest angle, and for the smallest if that is the measure.
+double RefinementCriteria3d::dihedralBadness(const Shape& s) const
+{
     std::array<double, 4> squaredArea{};
     for (unsigned i = 0; i < 4; ++i) squaredArea[i] = squaredLength(s.normal[i]);
     double smallest = 0.0;  // squared cosine of the smallest acute angle
@@ -130,15 +152,27 @@ double RefinementCriteria3d::badness(const Shape& s) const
             extreme = std::max(extreme, squaredCosine);
         }
     }
-    constexpr double kFlat = 1e-16;
     double worst = largest > squaredCosineOfLarge_ ? 1.0 / std::max(1.0 - largest, kFlat) : 0.0;
-    if (limits_.measure == TetMeasure::MinimumDihedralSine) {
-        if (smallest > squaredCosineOfSmall_) worst = std::max(worst, 1.0 / std::max(1.0 - smallest, kFlat));
-        return worst;
-    }
-    const double value = score(limits_.measure, {s.corner[0], s.corner[1], s.corner[2], s.corner[3]});
-    if (value < threshold_) worst = std::max(worst, 1.0 / std::max(value * value, kFlat));
+    const bool isMeasure = limits_.measure == TetMeasure::MinimumDihedralSine;
+    if (isMeasure && smallest > squaredCosineOfSmall_)
+        worst = std::max(worst, 1.0 / std::max(1.0 - smallest, kFlat));
     return worst;
+}
+
+/// The same for q3 where spires are bad.
+double RefinementCriteria3d::spireBadness(const Shape& s) const
+{
+    double sum = 0.0;
+    double shortest = kNoSize;
+    for (const auto& [a, b] : kTetEdgeCorners) {
+        const double squaredEdge = squaredLength(s.corner[b] - s.corner[a]);
+        sum += squaredEdge;
+        shortest = std::min(shortest, squaredEdge);
+    }
+    const double meanSquare = sum / 6.0;
+    const double squaredScore = 2.0 * s.determinant * s.determinant / (meanSquare * meanSquare * meanSquare);
+    const bool isBad = squaredScore < squaredVolumeLength_ && shortest > squaredLeastGap_;
+    return isBad ? 1.0 / std::max(squaredScore, kFlat) : 0.0;
 }
 
 /// Equation 4.1: mean LS < 2 lambda r / sqrt(3).
@@ -146,7 +180,7 @@ bool RefinementCriteria3d::mayRefine(const Shape& s) const
 {
     double mean = 0.0;
     for (const VertexId v : s.vertex) mean += 0.25 * scale_.guard(v);
-    constexpr double factor = 4.0 / 3.0 * kQualityLambda * kQualityLambda;
+    const double factor = 4.0 / 3.0 * lambda_ * lambda_;
     return mean * mean * 4.0 * s.determinant * s.determinant < factor * s.squaredRadiusNumerator();
 }
 
@@ -159,8 +193,8 @@ TetVerdict RefinementCriteria3d::judge(TetId tet) const
     }
     if (!limits_.isActive) return {};
     const double key = badness(shape);
-    if (key > 0.0 && mayRefine(shape)) return {TetNeed::Quality, key};
-    return {};
+    if (!(key > 0.0)) return {};
+    return {mayRefine(shape) ? TetNeed::Quality : TetNeed::HeldBack, key};
 }
 
 bool RefinementCriteria3d::isBad(TetId tet) const { return limits_.isActive && badness(shapeOf(tet)) > 0.0; }
@@ -234,7 +268,7 @@ bool RefinementCriteria3d::isTooLarge(const std::array<VertexId, 3>& facet) cons
 bool RefinementCriteria3d::maySplit(VertexId a, VertexId b) const
 {
     const double mean = 0.5 * (scale_.guard(a) + scale_.guard(b));
-    return mean < 2.0 * kQualityLambda * length(mesh_.position(b) - mesh_.position(a));
+    return mean < 2.0 * lambda_ * length(mesh_.position(b) - mesh_.position(a));
 }
 
 bool RefinementCriteria3d::maySplit(const std::array<VertexId, 3>& facet) const
@@ -244,7 +278,7 @@ bool RefinementCriteria3d::maySplit(const std::array<VertexId, 3>& facet) const
         approximateCircumcenter(a, mesh_.position(facet[1]), mesh_.position(facet[2]));
     if (!centre) return false;
     const double mean = (scale_.guard(facet[0]) + scale_.guard(facet[1]) + scale_.guard(facet[2])) / 3.0;
-    return mean < std::numbers::sqrt2 * kQualityLambda * length(a - *centre);
+    return mean < std::numbers::sqrt2 * lambda_ * length(a - *centre);
 }
 
 }  // namespace mesher

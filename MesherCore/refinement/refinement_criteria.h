@@ -18,13 +18,16 @@ struct TetQualityLimits
         threshold;  ///< score below which a tetrahedron is bad. DEFAULT: that of the measure
     /// Degrees, beyond which it is bad whatever it scores; 180 is off. DEFAULT: that of the measure
     std::optional<double> largestDihedral;
+    /// How far below the length scale quality may refine, see RefinementCriteria3d; at least 1. DEFAULT: that of the measure
+    std::optional<double> lambda;
 };
 
 enum class TetNeed : std::uint8_t
 {
     Nothing,
     Size,
-    Quality
+    Quality,
+    HeldBack  ///< quality, but it is as small as lambda allows
 };
 
 /// What a tetrahedron needs, and how urgently: the larger the key, the worse.
@@ -34,24 +37,16 @@ struct TetVerdict
     double key = 0.0;
 };
 
-/// Why an entity may be split: sizes are reached exactly, quality and encroachment go further, down to a fifth.
-enum class SplitCause : std::uint8_t
-{
-    Size,
-    Quality
-};
-
 /// Decides what is to be refined, and what must not be refined any more.
 /// Reference    [gosselin] sections 4.3 to 4.5. Equation 4.1 is used with the sign of its inequality and the number of its
 ///              terms corrected: an entity of n vertices is split only if their mean LS < 2 lambda r / sqrt(n - 1); lambda
-///              is 1 for size and 5 for quality
+///              is 1 for size, and an option for quality
 class RefinementCriteria3d
 {
 public:
-    static constexpr double kQualityLambda = 5.0;
-
+    /// Spires with an edge below the least gap, in units of the mesh, are let be: they stand between entities that all but meet.
     RefinementCriteria3d(const Triangulation3d& mesh, const LengthScale3d& scale,
-                         const TetQualityLimits& limits);
+                         const TetQualityLimits& limits, double leastGap = 0.0);
 
     /// Whether more is asked for than the measure's own limits, which were reached on all shapes without small angles.
     [[nodiscard]] bool asksForMoreThanUsual() const;
@@ -59,7 +54,7 @@ public:
     void settleForUsual();
     void returnToWanted() { applyLimits(wanted_); }
 
-    /// Of a live tetrahedron in a region. One that is bad and may not be refined any more needs nothing.
+    /// Of a live tetrahedron in a region.
     [[nodiscard]] TetVerdict judge(TetId tet) const;
     /// Bad by the limits, whatever the length scale says.
     [[nodiscard]] bool isBad(TetId tet) const;
@@ -82,6 +77,8 @@ private:
     [[nodiscard]] Shape shapeOf(TetId tet) const;
     [[nodiscard]] double sizeExcess(const Shape& shape) const;
     [[nodiscard]] double badness(const Shape& shape) const;
+    [[nodiscard]] double spireBadness(const Shape& shape) const;
+    [[nodiscard]] double dihedralBadness(const Shape& shape) const;
     [[nodiscard]] bool mayRefine(const Shape& shape) const;
 
     const Triangulation3d& mesh_;
@@ -92,6 +89,9 @@ private:
     double threshold_ = 0.0;
     double squaredCosineOfSmall_ = 0.0;  ///< of dihedral angles below which q2 calls a tetrahedron bad
     double squaredCosineOfLarge_ = 0.0;
+    double lambda_;               ///< for quality
+    double squaredVolumeLength_;  ///< q3 below which it is bad whatever it scores
+    double squaredLeastGap_;
 };
 
 }  // namespace mesher

@@ -11,6 +11,18 @@ const FacetId* RefinementState3d::facetAt(TetFace face) const
     return t.facetOf.find(corners);
 }
 
+std::optional<SmallInputAngle> RefinementState3d::smallAngleNear(TetId tet) const
+{
+    constexpr double kReach = 2.0;  // in length scales
+    Vec3 centroid;
+    double near = 0.0;
+    for (const VertexId v : mesh.tet(tet).vertex) {
+        centroid = centroid + 0.25 * mesh.position(v);
+        near += 0.25 * scale.guard(v);
+    }
+    return guard.blameFor((1.0 / t.scale) * centroid, kReach * near / t.scale);
+}
+
 void RefinementState3d::addOutside(VertexId v)
 {
     if (t.nodeOf.size() <= v.value) t.nodeOf.resize(v.value + v.value / 4u + 16u);

@@ -24,7 +24,7 @@ struct RefinementState3d
           splitter(surfaceSplitter),
           options(wanted),
           scale(t, options.sizing),
-          criteria(mesh, scale, options.quality),
+          criteria(mesh, scale, options.quality, options.leastGap * t.scale),
           guard(t, splitter.mesh()),
           fans(t, splitter),
           walls(t),
@@ -47,8 +47,29 @@ struct RefinementState3d
     /// What a meshed tetrahedron needs; nothing in a wall that is kept flat, whose facets have the sizes wanted.
     [[nodiscard]] TetVerdict judge(TetId tet) const
     {
-        return walls.isInKept(tet) ? TetVerdict{} : criteria.judge(tet);
+        if (walls.isInKept(tet)) return {};
+        TetVerdict verdict = criteria.judge(tet);
+        if (verdict.need == TetNeed::HeldBack && isLambdaLifted && !smallAngleNear(tet))
+            verdict.need = TetNeed::Quality;
+        return verdict;
     }
+    /// Whether lambda allows the split of a segment or facet for quality.
+    [[nodiscard]] bool maySplit(VertexId a, VertexId b) const
+    {
+        return criteria.maySplit(a, b) || (isLambdaLifted && !isBesideSmallAngle(std::array{a, b}));
+    }
+    [[nodiscard]] bool maySplit(const std::array<VertexId, 3>& facet) const
+    {
+        return criteria.maySplit(facet) || (isLambdaLifted && !isBesideSmallAngle(facet));
+    }
+    /// From now on lambda holds beside small angles only, where edges could get shorter without an end.
+    void liftLambda()
+    {
+        guard.collectPlaces(splitter.mesh());
+        isLambdaLifted = true;
+    }
+    /// The small angle that a tetrahedron is beside: about as far as refinement for it spreads. Needs SmallAngleGuard::collectPlaces.
+    [[nodiscard]] std::optional<SmallInputAngle> smallAngleNear(TetId tet) const;
     [[nodiscard]] EntityRef entityOf(FacetId facet) const
     {
         return {2, splitter.mesh().facets[facet].face.value};
@@ -92,6 +113,7 @@ struct RefinementState3d
     ConstrainedFlips3d flips;
     Budget flipBudget;  ///< flips end by themselves: it only lets them be cancelled
     RefinementCounts3d counts;
+    bool isLambdaLifted = false;
 };
 
 }  // namespace mesher

@@ -22,6 +22,7 @@ _PROPERTY_OF_OPTION = {
     "measure": "QualityMeasure",
     "threshold": "QualityThreshold",
     "max_dihedral": "MaxDihedral",
+    "lambda_": "QualityLambda",
     "min_angle": "MinAngle",
     "max_turn": "MaxTurn",
     "overlap": "Overlap",

@@ -21,7 +21,7 @@ __all__ = ["Cancelled", "Mesh", "MesherError", "MesherWarning", "MeshingError", 
 def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=None, min_size=None, curvature=0.0, sag=0.0,
          refinement=None, grading=1.0, local_sizes=None, size_distance=None, size_box=None, size_ball=None, size_formula=None,
          size_points=None, background=None, min_angle=30.0, max_turn=90.0, measure="q2", threshold=None,
-         max_dihedral=None, improve=True, order=1, threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, overlap="separate", timeout=None,
+         max_dihedral=None, lambda_=None, improve=True, order=1, threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, overlap="separate", timeout=None,
          check=False):
     """Meshes a model: the path of a file (STEP, IGES, BREP), a Part.Shape, a document object that has a shape, or a Model.
 
@@ -46,6 +46,7 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     min_angle, max_turn, measure, threshold, max_dihedral   quality: least angle of triangles; turn of the tangent along an edge;
                     the measure of tetrahedra, "q1" to "q8", and the score below which they are refined; the dihedral angle
                     above which they are, whatever they score
+    lambda_         how far below the sizes around them bad tetrahedra may be refined before all else is done; 1 or more
     improve         improve the elements after the refinement
     order           1; elements of second order are not there yet
     threads         the mesh does not depend on them

@@ -126,6 +126,7 @@ def mesh(
     measure: str = "q2",
     threshold: Optional[float] = None,
     max_dihedral: Optional[float] = None,
+    lambda_: Optional[float] = None,
     improve: bool = True,
     order: Literal[1, 2] = 1,
     threads: int = 1,

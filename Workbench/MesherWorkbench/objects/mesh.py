@@ -30,6 +30,8 @@ _PROPERTIES = (
     ("App::PropertyEnumeration", "QualityMeasure", "Quality", "Of tetrahedra", _MEASURES),
     ("App::PropertyFloat", "QualityThreshold", "Quality", "Score below which tetrahedra are refined; 0 is the usual", 0.0),
     ("App::PropertyFloat", "MaxDihedral", "Quality", "Dihedral angle above which tetrahedra are refined; 0 is the usual", 0.0),
+    ("App::PropertyFloat", "QualityLambda", "Quality", "How far below the sizes around them bad tetrahedra may be refined; 0 is the usual",
+     0.0),
     ("App::PropertyFloat", "MinAngle", "Quality", "Smallest angle wanted of triangles, degrees", 30.0),
     ("App::PropertyFloat", "MaxTurn", "Quality", "Largest turn of a curve along an edge, degrees", 90.0),
     ("App::PropertyEnumeration", "Overlap", "Run", "Solids that overlap: each for itself, or refused", _OVERLAPS),

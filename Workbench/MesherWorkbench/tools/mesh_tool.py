@@ -80,6 +80,7 @@ def options_of(obj, shape):
         "measure": obj.QualityMeasure,
         "threshold": obj.QualityThreshold or None,
         "max_dihedral": obj.MaxDihedral or None,
+        "lambda_": obj.QualityLambda or None,
         "min_angle": obj.MinAngle,
         "max_turn": obj.MaxTurn,
         "overlap": obj.Overlap,

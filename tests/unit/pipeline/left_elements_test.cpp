@@ -52,14 +52,15 @@ TEST(LeftElements, FillAWallWithGoodTetrahedraWhereTheyMayBeAsMany)
 
 TEST(LeftElements, NameWhatTheyAreBesideWhereTheShapeAllowsOfNoBetterOnes)
 {
-    // A hollow that comes to within 0.013 of the bottom.
+    // A hollow that comes to within 0.0015 of the bottom.
     const auto box = makeBox({-3.0, -3.0, 0.0}, {3.0, 3.0, 6.0});
-    const auto ball = makeSphere(Axes{.origin = {0.0, 0.0, 2.013}}, 2.0);
+    const auto ball = makeSphere(Axes{.origin = {0.0, 0.0, 2.0015}}, 2.0);
     ASSERT_TRUE(box && ball);
     MeshOptions options;
     options.size = 1.2;
     options.curvature = 12.0;
     options.isImproved = false;
+    options.maxWallElements = 100'000'000;
     RunContext context;
     const MeshOutcome outcome = meshSolids(test::withHollow(*box, *ball), options, nullptr, context);
     ASSERT_FALSE(outcome.report.left.empty());

@@ -90,6 +90,7 @@ TEST(MeshOptions, RefuseWhatIsOutOfRange)
         expectRefused([bad](MeshOptions& o) { o.maxTurn = bad; }, "--max-turn");
         expectRefused([bad](MeshOptions& o) { o.threshold = bad; }, "--threshold");
         expectRefused([bad](MeshOptions& o) { o.maxDihedral = bad; }, "--max-dihedral");
+        expectRefused([bad](MeshOptions& o) { o.lambda = bad; }, "--lambda");
     }
     expectRefused([](MeshOptions& o) { o.threshold = 0.0; }, "--threshold");
     expectRefused([](MeshOptions& o) { o.grading = 0.0; }, "--grading");

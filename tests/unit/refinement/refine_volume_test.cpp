@@ -173,7 +173,7 @@ TEST(RefineVolumeSizes, FollowASmallPlaceOfTheField)
 TEST(RefineVolumeSizes, FallWithRefinementAndGrading)
 {
     const auto tetsFor = [](double refinement, double grading) {
-        SampledSolid solid = sampledBox({1, 1, 1}, 2);
+        SampledSolid solid = sampledBox({1, 1, 1}, 8);
         RefineVolumeOptions options;
         options.sizing.refinement = refinement;
         options.sizing.grading = grading;

@@ -87,8 +87,9 @@ TEST(RefinementCriteria3d, AgreesWithTheMeasuresOnRandomTetrahedra)
             scale.setInitial();
             const auto angles = dihedralAngles(oriented);
             const double largest = *std::max_element(angles.begin(), angles.end());
-            const bool isBad =
-                score(info.measure, oriented) < info.threshold || largest > info.largestDihedral;
+            const bool isBad = score(info.measure, oriented) < info.threshold ||
+                               largest > info.largestDihedral ||
+                               score(TetMeasure::VolumeLength, oriented) < info.leastVolumeLength;
             ASSERT_EQ(RefinementCriteria3d(one.t.mesh(), scale, limits).isBad(one.tet), isBad) << info.key;
         }
         if (i >= 200) i += 10;
