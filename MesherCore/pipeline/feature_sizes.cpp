@@ -5,6 +5,7 @@
 #include "refinement/local_feature_size.h"
 #include "sizing/distances.h"
 #include "sizing/gradation.h"
+#include "sizing/size_bounds.h"
 #include "sizing/surface_size.h"
 #include "tetrahedralization/tetrahedralize.h"
 
@@ -113,7 +114,7 @@ FeatureSizes featureSizes(const BrepModel& model, const RegionSides& sides,
         lowerToSolids(made->tets, sizes);
     }
     const SurfaceMesh& mesh = sample->surface->mesh();
-    for (double& size : sizes) size /= refinement;
+    for (double& size : sizes) size *= kEdgeOfFeatureScale / refinement;
     gradeOnFaces(mesh, grading, sizes);
     result.field = std::make_shared<SurfaceSize>(sizedTriangles(model, mesh, sizes), 1.0 / grading);
     return result;

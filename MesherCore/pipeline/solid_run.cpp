@@ -41,7 +41,12 @@ double secondsSince(SolidRun::Clock::time_point start)
 
 SolidRun::SolidRun(const BrepModel& model, const MeshOptions& options,
                    std::shared_ptr<const SizingField> sizes, RunContext& context, Clock::time_point start)
-    : model_(model), options_(options), context_(context), start_(start), sizes_(std::move(sizes))
+    : model_(model),
+      options_(options),
+      context_(context),
+      start_(start),
+      wishes_(std::move(sizes)),
+      sizes_(wishes_)
 {
     report().options = options;
 }
@@ -111,7 +116,7 @@ bool SolidRun::findFeatures()
     if (features.failure) return failed(*features.failure);
     if (!mayGoOn(features.stopReason)) return false;
     std::vector<std::shared_ptr<const SizingField>> fields = {features.field};
-    if (sizes_) fields.push_back(sizes_);
+    if (wishes_) fields.push_back(wishes_);
     sizes_ = std::make_shared<CombinedSize>(std::move(fields), options_.minSize.value_or(0.0));
     return true;
 }
@@ -177,7 +182,8 @@ bool SolidRun::refine()
     refinement.sizing.usesLocalFeatureSize = false;
     refinement.sizing.usesFacetSides = true;
     refinement.sizing.grading = options_.grading;
-    refinement.sizing.field = sizes_.get();
+    // Features are on the boundary, whose facets are as fine as they want: inside, sizes grow from there (thesis, section 4.4).
+    refinement.sizing.field = wishes_.get();
     refinement.quality.measure = options_.measure;
     refinement.quality.threshold = options_.threshold;
     refinement.quality.largestDihedral = options_.maxDihedral;

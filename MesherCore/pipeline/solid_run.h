@@ -59,7 +59,8 @@ private:
     RunContext& context_;
     Clock::time_point start_;
     RegionSides sides_;
-    std::shared_ptr<const SizingField> sizes_;
+    std::shared_ptr<const SizingField> wishes_;  ///< the sizes that the user asks for
+    std::shared_ptr<const SizingField> sizes_;  ///< these and the features' of the shape, on curves and faces
     SurfaceSample sample_;
     bool isSampled_ = false;
     Tetrahedralization tetrahedralization_;

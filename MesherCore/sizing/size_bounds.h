@@ -22,6 +22,10 @@ inline constexpr SizeBounds kEdgeSizeBounds{.facet = 0.8, .tet = 1.3};
 inline constexpr SizeBounds kFeatureSizeBounds{.facet = 0.5 * std::numbers::sqrt2,
                                                .tet = 0.5 * std::numbers::sqrt3};
 
+/// The edge length asked for where the length scale by the local feature size is one. The thesis splits edges that are longer than the
+/// sum of the scales of their ends, and so has edges of one to two scales. With this one no more vertices come out than by its rules.
+inline constexpr double kEdgeOfFeatureScale = 1.2;
+
 /// The halves of a segment longer than that many sizes are nearer to the size than the whole.
 inline constexpr double kSegmentBound = std::numbers::sqrt2;
 
