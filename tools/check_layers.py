@@ -19,7 +19,6 @@ from pathlib import Path
 FOREIGN_HEADERS = {
     "bindings": re.compile(r"pybind11/.+\.h"),
     "base": re.compile(r"sys/mman\.h"),
-    "surface_sampling": re.compile(r"oneapi/tbb/.+\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
     "brep/occt": re.compile(r".+\.hxx|fcntl\.h|sys/wait\.h|unistd\.h"),
     "cli": re.compile(r"boost/program_options\.hpp|fcntl\.h|unistd\.h|sys/(mman|prctl|wait)\.h"),

@@ -2,10 +2,7 @@
 
 namespace mesher {
 
-Budget::Budget(const BudgetLimits& limits, RunContext& context)
-    : limits_(limits), context_(context), start_(std::chrono::steady_clock::now())
-{
-}
+Budget::Budget(const BudgetLimits& limits, RunContext& context) : limits_(limits), context_(context) {}
 
 bool Budget::allows(BudgetUse use)
 {
@@ -17,17 +14,13 @@ bool Budget::allows(BudgetUse use)
 
 std::optional<StopReason> Budget::findLimitReached(BudgetUse use) const
 {
-    const bool isAskedNow = operations_ % kOperationsPerClockReading == 0;
     if (context_.isCancelled()) return StopReason::Cancelled;
-    if (isAskedNow) {
+    if (operations_ % kOperationsPerAsk == 0) {
         if (const std::optional<StopReason> reason = context_.stopReason()) return reason;
     }
     if (operations_ >= limits_.maxOperations) return StopReason::OperationLimit;
     if (use.vertices >= limits_.maxVertices) return StopReason::VertexLimit;
     if (use.elements >= limits_.maxElements) return StopReason::ElementLimit;
-    if (limits_.maxTime && isAskedNow && std::chrono::steady_clock::now() - start_ >= *limits_.maxTime) {
-        return StopReason::TimeLimit;
-    }
     return std::nullopt;
 }
 

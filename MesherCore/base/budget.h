@@ -3,14 +3,13 @@
 #include "base/run_context.h"
 #include "base/stop_reason.h"
 
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
 namespace mesher {
 
-/// How far a loop may go. A default-made one limits nothing.
+/// How far a loop may go, besides the time that the context of the run sets. A default-made one limits nothing.
 struct BudgetLimits
 {
     static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
@@ -18,8 +17,6 @@ struct BudgetLimits
     std::uint64_t maxOperations = kUnlimited;  ///< operations begun: insertions, flips, …; 0 allows none
     std::uint64_t maxVertices = kUnlimited;    ///< vertices at which the loop stops
     std::uint64_t maxElements = kUnlimited;    ///< triangles or tets at which the loop stops
-    /// Wall-clock time from the making of the budget. The result then depends on the speed of the machine.
-    std::optional<std::chrono::steady_clock::duration> maxTime;
 };
 
 /// What a loop has reached, for the limits that count things other than operations.
@@ -32,11 +29,11 @@ struct BudgetUse
 /// Asked before each operation of every loop that could otherwise run without end:
 ///     while (auto entry = queue.pop()) { if (!budget.allows({vertexCount, elementCount})) break; … }
 /// Once it has refused it keeps refusing for the same reason.
-/// Cost  a few compares; the context is asked, and the clock read, once in kOperationsPerClockReading operations.
+/// Cost  a few compares; the context is asked, and the clock read, once in kOperationsPerAsk operations.
 class Budget
 {
 public:
-    static constexpr std::uint64_t kOperationsPerClockReading = 64;
+    static constexpr std::uint64_t kOperationsPerAsk = 64;
 
     Budget(const BudgetLimits& limits, RunContext& context);
 
@@ -58,7 +55,6 @@ private:
 
     BudgetLimits limits_;
     RunContext& context_;
-    std::chrono::steady_clock::time_point start_;
     std::uint64_t operations_ = 0;
     std::optional<StopReason> exhausted_;
 };

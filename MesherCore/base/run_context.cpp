@@ -22,8 +22,8 @@ void RunContext::limitTime(std::optional<double> seconds)
     using Clock = std::chrono::steady_clock;
     // Thirty years, which the clock can still count.
     constexpr double kMost = 1e9;
-    if (!seconds) return;
-    const std::chrono::duration<double> left(std::clamp(*seconds, 0.0, kMost));
+    if (!seconds || !(*seconds < kMost)) return;
+    const std::chrono::duration<double> left(std::max(*seconds, 0.0));
     limitTime(Clock::now() + std::chrono::duration_cast<Clock::duration>(left));
 }
 

@@ -2,8 +2,10 @@
 
 #include "base/stop_reason.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -46,7 +48,8 @@ struct RunSettings
     LogHook log;
     std::uint64_t seed = 1;  ///< of every random choice of the run; the same seed gives the same mesh
     CheckLevel checkLevel = CheckLevel::Off;
-    unsigned threads = 1;  ///< at least 1; the result does not depend on it
+    bool keepsPartial = true;  ///< what there is when the time is over is made into a mesh, which takes time
+    unsigned threads = 1;      ///< at least 1; the result does not depend on it
 };
 
 /// Progress, cancellation, limit of time, log, seed and check level of one run, handed down by reference: the library has no
@@ -66,8 +69,7 @@ public:
     /// The run is to end by then; of several limits the earliest counts.
     void limitTime(std::chrono::steady_clock::time_point end);
     void limitTime(std::optional<double> seconds);
-    /// For what is still to be made of a run whose time is over.
-    void liftTimeLimit() { end_.reset(); }
+    void limitTimeAs(const RunContext& other) { end_ = other.end_; }
 
     /// Why the run is to end now, if it is. Every loop that may take more than a tenth of a second asks this or a `Budget`, which
     /// does so. Costs a reading of the clock.
@@ -83,10 +85,16 @@ public:
     void log(LogLevel level, std::string_view message) const;
 
     [[nodiscard]] std::uint64_t seed() const { return settings_.seed; }
+    /// Whether anybody wants what there is of a mesh when the time is over.
+    [[nodiscard]] bool keepsPartial() const { return settings_.keepsPartial; }
     [[nodiscard]] CheckLevel checkLevel() const { return settings_.checkLevel; }
     [[nodiscard]] unsigned threads() const { return settings_.threads; }
+    /// Threads that the system did not give, at the worst time.
+    [[nodiscard]] std::size_t missingThreads() const { return missingThreads_; }
+    void noteMissingThreads(std::size_t count) { missingThreads_ = std::max(missingThreads_, count); }
 
 private:
+    friend class TimeLimitPause;
     static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may cancel");
 
     RunSettings settings_;
@@ -94,6 +102,24 @@ private:
     std::optional<std::chrono::steady_clock::time_point> end_;
     std::string stage_;
     std::atomic<bool> cancelled_ = false;
+    std::size_t missingThreads_ = 0;
+};
+
+/// Lifts the limit of time while it lives: for what is still to be made of a run whose time is over. Cancellation is heard.
+class TimeLimitPause
+{
+public:
+    explicit TimeLimitPause(RunContext& context, bool isPaused = true) : context_(context), end_(context.end_)
+    {
+        if (isPaused) context_.end_.reset();
+    }
+    TimeLimitPause(const TimeLimitPause&) = delete;
+    TimeLimitPause& operator=(const TimeLimitPause&) = delete;
+    ~TimeLimitPause() { context_.end_ = end_; }
+
+private:
+    RunContext& context_;
+    std::optional<std::chrono::steady_clock::time_point> end_;
 };
 
 /// Asks a context once in many short steps, so that a step costs a count and a compare. What it has once refused it refuses

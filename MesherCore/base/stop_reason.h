@@ -12,7 +12,7 @@ enum class StopReason
     OperationLimit,  ///< BudgetLimits::maxOperations
     VertexLimit,     ///< BudgetLimits::maxVertices
     ElementLimit,    ///< BudgetLimits::maxElements
-    TimeLimit,       ///< BudgetLimits::maxTime
+    TimeLimit,       ///< RunContext::limitTime
     Cancelled        ///< the caller asked to stop
 };
 

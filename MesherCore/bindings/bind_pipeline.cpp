@@ -5,6 +5,7 @@
 #include "brep/occt/read_model.h"
 #include "pipeline/estimate_model.h"
 #include "pipeline/mesh_model.h"
+#include "pipeline/report_steps.h"
 
 #include <pybind11/stl.h>
 
@@ -28,7 +29,11 @@ using Clock = std::chrono::steady_clock;
 class PythonProgress
 {
 public:
-    explicit PythonProgress(py::object callback) : callback_(std::move(callback)) {}
+    /// `stage` is what the function hears until the first is told.
+    PythonProgress(py::object callback, std::string stage)
+        : callback_(std::move(callback)), stage_(std::move(stage))
+    {
+    }
 
     bool operator()(std::string_view stage, double fraction)
     {
@@ -37,17 +42,13 @@ public:
         if (!isNews && now - told_ < kPause) return !raised_;
         stage_ = stage;
         fraction_ = fraction;
-        told_ = now;
-        const py::gil_scoped_acquire acquired;
-        if (raised_) return false;
-        try {
-            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            if (callback_.is_none()) return true;
-            return !callback_(stage, fraction).is(py::bool_(false));
-        } catch (py::error_already_set&) {
-            raised_ = std::current_exception();
-            return false;
-        }
+        return tell(now);
+    }
+    /// Between two words of progress: whether Ctrl+C or the function has ended the run meanwhile.
+    bool poll()
+    {
+        const Clock::time_point now = Clock::now();
+        return now - told_ < kPatience ? !raised_ : tell(now);
     }
     void raiseAgain() const
     {
@@ -55,7 +56,23 @@ public:
     }
 
 private:
+    bool tell(Clock::time_point now)
+    {
+        told_ = now;
+        const py::gil_scoped_acquire acquired;
+        if (raised_) return false;
+        try {
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            if (callback_.is_none()) return true;
+            return !callback_(stage_, fraction_).is(py::bool_(false));
+        } catch (py::error_already_set&) {
+            raised_ = std::current_exception();
+            return false;
+        }
+    }
+
     static constexpr std::chrono::milliseconds kPause{10};
+    static constexpr std::chrono::milliseconds kPatience{100};
     static constexpr double kStep = 0.1;
 
     py::object callback_;
@@ -81,17 +98,23 @@ AskedFor askedFor(const py::dict& named)
     return asked;
 }
 
+RunSettings settingsFor(const MeshOptions& options, PythonProgress& progress)
+{
+    RunSettings settings;
+    settings.threads = options.threads;
+    settings.progress = [&progress](std::string_view stage, double fraction) {
+        return progress(stage, fraction);
+    };
+    settings.poll = [&progress] { return progress.poll(); };
+    return settings;
+}
+
 std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& read, const py::dict& named,
                                                             py::object callback)
 {
     const AskedFor asked = askedFor(named);
-    PythonProgress progress(std::move(callback));
-    RunSettings settings;
-    settings.threads = asked.options.threads;
-    settings.progress = [&progress](std::string_view stage, double fraction) {
-        return progress(stage, fraction);
-    };
-    RunContext context(settings);
+    PythonProgress progress(std::move(callback), "sizes");
+    RunContext context(settingsFor(asked.options, progress));
     constexpr int kBoundaryOrder = 2;  // the least: nobody sees the curved boundary from here
     MeshOutcome outcome;
     std::string report;
@@ -106,13 +129,19 @@ std::pair<std::shared_ptr<ClassifiedMesh>, std::string> run(const ReadModel& rea
     return {std::move(mesh), std::move(report)};
 }
 
-py::dict estimate(const ReadModel& read, const py::dict& named)
+py::dict estimate(const ReadModel& read, const py::dict& named, py::object callback)
 {
     const AskedFor asked = askedFor(named);
+    PythonProgress progress(std::move(callback), "estimate");
+    RunContext context(settingsFor(asked.options, progress));
     const Result<MeshEstimate> found = [&] {
         const py::gil_scoped_release released;
-        return estimateModel(read.model, asked.options, asked.sizes);
+        return estimateModel(read.model, asked.options, asked.sizes, context);
     }();
+    progress.raiseAgain();
+    if (const std::optional<StopReason> reason = context.stopReason())
+        raise(*reason == StopReason::Cancelled ? "Cancelled" : "MeshingError",
+              errorOf(*reason, asked.options));
     if (!found) {
         const bool isOption = found.error().entity.starts_with("--");
         raise(isOption ? "OptionError" : "MeshingError", found.error());
@@ -131,7 +160,7 @@ void bindPipeline(py::module_& module)
     module.def("run", &run, py::arg("model"), py::arg("options"), py::arg("progress") = py::none());
     module.def(
         "validate", [](const py::dict& named) { askedFor(named); }, py::arg("options"));
-    module.def("estimate", &estimate, py::arg("model"), py::arg("options"));
+    module.def("estimate", &estimate, py::arg("model"), py::arg("options"), py::arg("progress") = py::none());
 }
 
 }  // namespace mesher::python

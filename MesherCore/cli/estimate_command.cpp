@@ -1,8 +1,10 @@
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/model_file.h"
 #include "cli/supervisor.h"
 #include "io/read_size_fields.h"
 #include "pipeline/estimate_model.h"
+#include "pipeline/report_steps.h"
 
 #include <iomanip>
 
@@ -12,12 +14,21 @@ ExitStatus runEstimate(const MeshCommand& command, Console console)
 {
     const MeshOptions& options = command.options;
     noteTimeLimit(options.timeout);
+    RunContext context;
+    context.limitTime(options.timeout);
+    InterruptScope interrupt(context);
     const Result<std::shared_ptr<const SizingField>> sizes =
         readSizeFields(options.background, options.sizePoints, options.grading);
     if (!sizes) return tell(sizes.error(), ExitStatus::Failed, console);
     const Result<ReadModel> read = readModelFile(command.model, command.heals, "estimate");
     if (!read) return tell(read.error(), ExitStatus::Failed, console);
-    const Result<MeshEstimate> found = estimateModel(read.value().model, options, sizes.value());
+    interrupt.enter(InterruptScope::Phase::Cooperative);
+    const Result<MeshEstimate> found = estimateModel(read.value().model, options, sizes.value(), context);
+    if (const std::optional<StopReason> reason = context.stopReason()) {
+        const bool isCancelled = *reason == StopReason::Cancelled;
+        return tell(inModel(errorOf(*reason, options), command.model),
+                    isCancelled ? ExitStatus::Cancelled : ExitStatus::Failed, console);
+    }
     if (!found) return tell(inModel(found.error(), command.model), ExitStatus::Failed, console);
     const MeshEstimate& estimate = found.value();
     console.out << std::setprecision(3) << "elements: about " << estimate.elements << "\nmemory: about "

@@ -10,6 +10,7 @@
 #include "io/write_curved_boundary.h"
 #include "io/write_text_file.h"
 #include "pipeline/mesh_model.h"
+#include "pipeline/report_steps.h"
 #include "pipeline/stage_failure.h"
 #include "pipeline/stage_watch.h"
 
@@ -32,6 +33,7 @@ public:
           context_(settings()),
           interrupt_(context_)
     {
+        context_.limitTime(command.options.timeout);
         report_.options = command.options;
         report_.modelFile = command.model.string();
         report_.versions = {{"mesher", MESHER_VERSION}};
@@ -59,6 +61,7 @@ private:
         RunSettings settings;
         settings.threads = command_.options.threads;
         settings.stage = noteStage;
+        settings.keepsPartial = command_.keepsPartial;
         settings.progress = [this](std::string_view stage, double fraction) {
             progress_.show(stage, fraction);
             return true;
@@ -179,11 +182,13 @@ private:
     {
         noteTimeLimit({});
         const StageWatch watch;
+        // What is wanted although the time is over is written without a limit.
+        const TimeLimitPause pause(context_, report_.stopReason == StopReason::TimeLimit);
         std::vector<AtomicFile> files;
         for (const OutputTarget& output : command_.outputs) {
-            if (!context_.reportProgress("writing", 0.0)) return cancelled();
+            if (!context_.reportProgress("writing", 0.0)) return stopped();
             if (!keep(prepareMesh(*mesh_, output.path, output.format, command_.writing,
-                                  [this] { return !context_.isCancelled(); }),
+                                  [this] { return context_.mayGoOn(); }),
                       files))
                 return false;
         }
@@ -191,7 +196,7 @@ private:
         if (command_.curvedBoundary &&
             !keep(prepareCurvedBoundary(*boundary_, *command_.curvedBoundary), files))
             return false;
-        if (!context_.reportProgress("writing", 1.0)) return cancelled();
+        if (!context_.reportProgress("writing", 1.0)) return stopped();
         // From here on a signal comes too late; a pipe that is not read must still be left.
         const bool isDirect =
             std::any_of(files.begin(), files.end(), [](const auto& f) { return f.isDirect(); });
@@ -204,13 +209,20 @@ private:
 
     bool keep(Result<AtomicFile> file, std::vector<AtomicFile>& files)
     {
-        if (context_.isCancelled()) return cancelled();
+        if (!context_.mayGoOn()) return stopped();
         if (!file) {
             fail(file.error());
             return false;
         }
         files.push_back(std::move(file).value());
         return true;
+    }
+
+    bool stopped()
+    {
+        if (context_.isCancelled()) return cancelled();
+        tellStop(StopReason::TimeLimit, report_);
+        return false;
     }
 
     bool cancelled()

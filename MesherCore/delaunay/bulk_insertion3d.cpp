@@ -102,7 +102,7 @@ StopReason Delaunay3d::insertInOrder(std::span<const Vec3> points, std::span<con
                 mesh_.setClassification(vertex, options.classification);
             result.duplicates += mesh_.vertexCount() == before ? 1 : 0;
         }
-        if (!progress.advance()) return StopReason::Cancelled;
+        if (!progress.advance()) return context.stopReason().value_or(StopReason::Cancelled);
     }
     progress.finish();
     return StopReason::Done;

@@ -67,7 +67,7 @@ Result<BulkInsertion2d> Delaunay2d::insertPoints(std::span<const Vec2> points, R
     result.vertices.resize(points.size());
     const std::vector<std::uint32_t> order = brioOrder(points, seed_);
     for (std::size_t begin = 0; begin < order.size(); begin += kChunk) {
-        if (context != nullptr && context->isCancelled()) {
+        if (context != nullptr && !context->mayGoOn()) {
             result.stopReason = StopReason::Cancelled;
             break;
         }

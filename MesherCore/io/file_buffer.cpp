@@ -20,6 +20,7 @@ void FileBuffer::flush()
     if (state_ && mayGoOn_ && !mayGoOn_())
         state_ = Error{ErrorCode::Unwritable, "the run ended before the file was whole", {}, {}, {}};
     if (state_) state_ = file_.write({buffer_.data(), size_});
+    isTaking_ = state_.hasValue();
     size_ = 0;
 }
 

@@ -42,6 +42,7 @@ public:
     }
     FileBuffer& operator<<(double value)
     {
+        if (!isTaking_) return *this;
         makeRoom(kLongestNumber);
         advance(std::to_chars(cursor(), cursor() + kLongestNumber, value + 0.0));
         return *this;
@@ -50,6 +51,7 @@ public:
     requires(!std::same_as<Integer, char> && !std::same_as<Integer, bool>) FileBuffer&
     operator<<(Integer value)
     {
+        if (!isTaking_) return *this;
         makeRoom(kLongestNumber);
         advance(std::to_chars(cursor(), cursor() + kLongestNumber, value));
         return *this;
@@ -75,6 +77,7 @@ private:
     Permission mayGoOn_;
     std::vector<char> buffer_;
     std::size_t size_ = 0;
+    bool isTaking_ = true;  ///< false once there is an error: what is dropped need not be put into digits
     Result<void> state_;
 };
 

@@ -15,14 +15,20 @@ constexpr double kLargestVolumeGap = 1e-9;
 
 MeshCheckReport checkMesh(const ClassifiedMesh& mesh)
 {
+    RunContext context;
+    return checkMesh(mesh, context);
+}
+
+MeshCheckReport checkMesh(const ClassifiedMesh& mesh, RunContext& context)
+{
     MeshCheckReport report;
     report.counts = {mesh.nodes.size(), mesh.points.size(), mesh.lines.size(), mesh.triangles.size(),
                      mesh.tets.size()};
     if (!detail::checkReferences(mesh, report)) return report;
-    detail::checkNodes(mesh, report);
-    detail::checkClassification(mesh, report);
-    detail::checkSurface(mesh, report);
-    detail::checkVolume(mesh, report);
+    for (const auto check :
+         {detail::checkNodes, detail::checkClassification, detail::checkSurface, detail::checkVolume}) {
+        if (context.mayGoOn()) check(mesh, report);
+    }
     return report;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/run_context.h"
 #include "mesh/classified_mesh.h"
 
 #include <cstdint>
@@ -65,5 +66,7 @@ struct MeshCheckReport
 /// Signs are exact (predicates) where a sign decides; orientation of triangles is judged in faces whose nodes lie in a plane.
 /// Cost  O(n log n); about 100 bytes for each side of an element
 [[nodiscard]] MeshCheckReport checkMesh(const ClassifiedMesh& mesh);
+/// Ends between two of its steps when the run is to end; the report is incomplete then.
+[[nodiscard]] MeshCheckReport checkMesh(const ClassifiedMesh& mesh, RunContext& context);
 
 }  // namespace mesher

@@ -14,8 +14,8 @@ namespace {
 class SolidClassifier
 {
 public:
-    SolidClassifier(const SurfaceMesh& surface, const RegionSides& sides)
-        : surface_(surface), sides_(sides), nodeOf_(surface.nodes.size())
+    SolidClassifier(const SurfaceMesh& surface, const RegionSides& sides, RunContext& context)
+        : surface_(surface), sides_(sides), watch_(context), nodeOf_(surface.nodes.size())
     {
     }
 
@@ -26,7 +26,10 @@ public:
         for (std::uint32_t i = 0; i < surface_.nodes.size(); ++i) {
             if (isUsed_[i]) nodeOf_[NodeId(i)] = mesh_.nodes.push_back(surface_.nodes[NodeId(i)]);
         }
-        for (const FacetId f : facets) addTriangle(surface_.facets[f]);
+        for (const FacetId f : facets) {
+            if (!watch_.mayGoOn()) return;
+            addTriangle(surface_.facets[f]);
+        }
         addLines();
         addPoints();
     }
@@ -35,15 +38,17 @@ public:
     {
         const Triangulation3d& tets = tetrahedralization.mesh();
         std::vector<std::pair<RegionId, TetId>> inside;
-        for (std::uint32_t i = 0; i < tets.tetLimit(); ++i) {
+        for (std::uint32_t i = 0; i < tets.tetLimit() && watch_.mayGoOn(); ++i) {
             const TetId t(i);
             if (tets.isAlive(t) && !tets.isGhostTet(t) && tets.region(t) != kExteriorRegion)
                 inside.emplace_back(tets.region(t), t);
         }
         std::sort(inside.begin(), inside.end());
+        if (!watch_.mayGoOn()) return;
         IdVector<VertexId, NodeId> nodeAt(tets.vertexLimit());
         addInnerNodes(tetrahedralization, inside, nodeAt);
         for (const auto& [region, t] : inside) {
+            if (!watch_.mayGoOn()) return;
             const auto& v = tets.tet(t).vertex;
             mesh_.tets.push_back(
                 {{nodeAt[v[0]], nodeAt[v[1]], nodeAt[v[2]], nodeAt[v[3]]}, {3, region.value - 1}});
@@ -145,6 +150,7 @@ private:
 
     const SurfaceMesh& surface_;
     const RegionSides& sides_;
+    StepWatch watch_;
     IdVector<NodeId, NodeId> nodeOf_;
     std::vector<bool> isUsed_;
     IndexedMap<std::pair<NodeId, NodeId>, bool> triangleSides_;
@@ -154,17 +160,17 @@ private:
 }  // namespace
 
 ClassifiedMesh classifySolids(const ConstrainedTetrahedralization& tetrahedralization,
-                              const SurfaceMesh& surface, const RegionSides& sides)
+                              const SurfaceMesh& surface, const RegionSides& sides, RunContext& context)
 {
-    SolidClassifier classifier(surface, sides);
+    SolidClassifier classifier(surface, sides, context);
     classifier.addSurface();
     classifier.addVolume(tetrahedralization);
     return classifier.take();
 }
 
-ClassifiedMesh classifySurface(const SurfaceMesh& surface, const RegionSides& sides)
+ClassifiedMesh classifySurface(const SurfaceMesh& surface, const RegionSides& sides, RunContext& context)
 {
-    SolidClassifier classifier(surface, sides);
+    SolidClassifier classifier(surface, sides, context);
     classifier.addSurface();
     return classifier.take();
 }

@@ -4,7 +4,6 @@
 #include "surface_sampling/sample_surface.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,7 +21,7 @@ Error named(Error error, const ModelComponent& part)
     return error;
 }
 
-SurfaceSamplingOptions coarseOptions(double sag, std::optional<double> seconds)
+SurfaceSamplingOptions coarseOptions(double sag)
 {
     SurfaceSamplingOptions options;
     options.curves.maxVariation = 90.0;
@@ -31,10 +30,6 @@ SurfaceSamplingOptions coarseOptions(double sag, std::optional<double> seconds)
     options.facets.minAngle = 0.0;
     options.facets.leastCurvatureSize = sag;
     options.maxCertificateRounds = -1;
-    if (seconds) {
-        options.limits.maxTime = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-            std::chrono::duration<double>(std::min(*seconds, 1e9)));
-    }
     return options;
 }
 
@@ -48,16 +43,18 @@ RunSettings sizesSettings(RunContext& context)
     settings.progress = [&context](std::string_view, double fraction) {
         return context.reportProgress("sizes", fraction);
     };
+    settings.poll = [&context] { return context.stopReason() != StopReason::Cancelled; };
     return settings;
 }
 
-Result<std::vector<CoarseFacet>> coarseFaces(const ModelComponent& part, double sag,
-                                             std::optional<double> seconds, RunContext& context)
+Result<std::vector<CoarseFacet>> coarseFaces(const ModelComponent& part, double sag, RunContext& context)
 {
     RunContext own(sizesSettings(context));
-    const Result<SurfaceSample> sample = sampleSurface(part.model, coarseOptions(sag, seconds), own);
+    own.limitTimeAs(context);
+    const Result<SurfaceSample> sample = sampleSurface(part.model, coarseOptions(sag), own);
     if (!sample) return named(sample.error(), part);
     if (!sample->failures.empty()) return named(sample->failures.front().second, part);
+    if (!sample->surface) return std::vector<CoarseFacet>{};
     const SurfaceMesh& mesh = sample->surface->mesh();
     const IdVector<FacetId, FacetDeparture> departures = facetDepartures(part.model, mesh);
     std::vector<CoarseFacet> facets;

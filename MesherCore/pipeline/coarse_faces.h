@@ -21,9 +21,9 @@ struct CoarseFacet
 /// sizes grow. Those of a solid are closed.
 /// Guarantees   on average the faces depart from them by at most `sag`; the same for any number of threads
 /// Refuses      faces that cannot be sampled, by their names in the whole model
-/// Terminates   early if the run is cancelled or `seconds` are over: the triangles are coarser then
-[[nodiscard]] Result<std::vector<CoarseFacet>>
-coarseFaces(const ModelComponent& part, double sag, std::optional<double> seconds, RunContext& context);
+/// Terminates   early when the run is to end: the triangles are coarser then
+[[nodiscard]] Result<std::vector<CoarseFacet>> coarseFaces(const ModelComponent& part, double sag,
+                                                           RunContext& context);
 
 /// A context that shares threads and cancellation with another, whose progress is that of the stage "sizes".
 [[nodiscard]] RunSettings sizesSettings(RunContext& context);

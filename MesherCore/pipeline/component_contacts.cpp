@@ -113,16 +113,18 @@ private:
 
 }  // namespace
 
-std::vector<SolidOverlap> tellContacts(std::span<const SampledComponent> components, MeshReport& report)
+std::vector<SolidOverlap> tellContacts(std::span<const SampledComponent> components, MeshReport& report,
+                                       RunContext& context)
 {
     Surfaces surfaces(components);
     std::vector<SolidOverlap> overlaps;
     for (std::size_t i = 0; i < components.size(); ++i) {
         for (std::size_t j = i + 1; j < components.size(); ++j) {
             if (!surfaces.areNear(i, j)) continue;
+            if (!context.mayGoOn()) return overlaps;
             const ComponentSurface& a = surfaces.at(i);
             const ComponentSurface& b = surfaces.at(j);
-            const std::optional<SolidContact> contact = findContact(a, b, toleranceBetween(a, b));
+            const std::optional<SolidContact> contact = findContact(a, b, toleranceBetween(a, b), context);
             if (!contact) continue;
             SolidOverlap pair = pairOf(components[i], components[j], *contact);
             if (!contact->isOverlap) {

@@ -85,6 +85,8 @@ ComponentSurface::ComponentSurface(const BrepModel& model, const SurfaceMesh& me
         largestSag_ = std::max(largestSag_, sag_[facet]);
     }
     faceTree_ = BoxTree(boxesOf(mesh, facets_, &sag_));
+    corners_.reserve(facets_.size());
+    for (const std::uint32_t item : tree_.order()) corners_.push_back(cornersOf(mesh, facets_[item]));
 }
 
 ComponentSurface::Nearest ComponentSurface::nearest(const Vec3& place) const
@@ -94,8 +96,11 @@ ComponentSurface::Nearest ComponentSurface::nearest(const Vec3& place) const
     const auto look = [&](std::uint32_t item) {
         // Facets that meet at an edge or corner are equally near: the one that is seen most from above tells the side.
         constexpr double kSame = 1e-9;
+        const std::array<Vec3, 3>& corner = corners_[item];
+        const std::array<double, 3> w = closestWeights(place, corner);
+        const double distance = length(place - (w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2]));
+        if (distance > least * (1.0 + kSame)) return least * least * (1.0 + 4.0 * kSame);
         const Nearest foot = footOn(facets_[tree_.order()[item]], place);
-        const std::array<Vec3, 3> corner = cornersOf(mesh_, foot.facet);
         const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
         const double size = length(normal);
         const double steepness = size > 0.0 ? std::abs(dot(normal, place - foot.place)) / size : 0.0;
@@ -125,6 +130,7 @@ std::vector<ComponentSurface::Nearest> ComponentSurface::facesAbout(const Vec3& 
                                                                     const Nearest& nearestFacet) const
 {
     std::vector<Nearest> found = {nearestFacet};
+    if (nearestFacet.distance > largestSag_ + tolerance) return found;
     std::vector<std::uint32_t> waiting = {0};
     while (!waiting.empty()) {
         const std::uint32_t index = waiting.back();

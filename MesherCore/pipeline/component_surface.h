@@ -5,6 +5,7 @@
 #include "mesh/surface_mesh.h"
 #include "sizing/box_tree.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -85,9 +86,10 @@ private:
     IdVector<FacetId, std::uint8_t>
         isFlush_;  ///< in parameters it has no part beyond the boundary of its face
     double largestSag_ = 0.0;
-    std::vector<FacetId> facets_;  ///< of the boxes of the trees
-    BoxTree tree_;                 ///< of the facets
-    BoxTree faceTree_;             ///< of facets with what they may depart from their face
+    std::vector<FacetId> facets_;               ///< of the boxes of the trees
+    BoxTree tree_;                              ///< of the facets
+    std::vector<std::array<Vec3, 3>> corners_;  ///< in the order of the tree
+    BoxTree faceTree_;                          ///< of facets with what they may depart from their face
 };
 
 }  // namespace mesher

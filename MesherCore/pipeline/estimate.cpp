@@ -54,7 +54,7 @@ Result<void> checkAffordable(const MeshEstimate& estimate, const MeshOptions& op
                  "about " + rounded(estimate.elements) + " elements and " + rounded(estimate.bytes / 1e9) +
                      " GB of memory would be needed, more than --max-elements " +
                      std::to_string(options.maxElements),
-                 "model",
+                 estimate.entity.empty() ? "model" : estimate.entity,
                  {},
                  "choose larger sizes or raise --max-elements"};
 }

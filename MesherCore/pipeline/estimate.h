@@ -7,6 +7,7 @@
 #include "sizing/sizing_field.h"
 
 #include <memory>
+#include <string>
 
 namespace mesher {
 
@@ -16,6 +17,8 @@ struct MeshEstimate
     double elements = 0.0;  ///< triangles, or tetrahedra
     double bytes = 0.0;     ///< at the peak
     double seconds = 0.0;   ///< on one thread of an ordinary machine
+    std::string
+        entity{};  ///< that most of them are at, where one has far more than all the others; else empty
 };
 
 /// The memory and time of so many triangles.

@@ -11,23 +11,23 @@ namespace mesher {
 namespace {
 
 Result<MeshEstimate> estimateByDimension(const BrepModel& model, const MeshOptions& options,
-                                         std::shared_ptr<const SizingField> fromFiles)
+                                         std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
+    context.limitTime(options.timeout);
     if (const Result<void> valid = validate(options); !valid) return valid.error();
-    if (options.dimension == 3) return estimateSolidModel(model, options, std::move(fromFiles));
+    if (options.dimension == 3) return estimateSolidModel(model, options, std::move(fromFiles), context);
     const Result<PlanarCurveComplex> complex = planarModel(model, options);
     if (!complex) return complex.error();
-    RunContext context;
     return estimatePlanar(complex.value(), options, std::move(fromFiles), context);
 }
 
 }  // namespace
 
 Result<MeshEstimate> estimateModel(const BrepModel& model, const MeshOptions& options,
-                                   std::shared_ptr<const SizingField> fromFiles)
+                                   std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
     try {
-        return estimateByDimension(model, options, std::move(fromFiles));
+        return estimateByDimension(model, options, std::move(fromFiles), context);
     } catch (...) {
         return errorInFlight("estimate");
     }

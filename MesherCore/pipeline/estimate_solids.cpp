@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,8 +35,15 @@ constexpr double kTetsInSecond = 3.5e5;
 constexpr double kRadiansForEdge = 1.2;    // that an edge turns at most where no curvature is asked for
 constexpr double kLargestOfModel = 0.125;  // size without any wish, of the box's diagonal
 constexpr double kTrustedUncertainty = 0.05;
+constexpr double kLeastShare =
+    1e-9;  // of the largest size: what is smaller makes far too many elements anyway
 constexpr double kLargestMinAngle = 34.0;             // degrees, see FacetCriteriaOptions
 constexpr std::size_t kMostSampledVertices = 60'000;  // about a second
+
+double sizeAt(const SizingField& sizes, double largest, const Vec3& place)
+{
+    return std::clamp(sizes.sizeAt(place), kLeastShare * largest, largest);
+}
 
 /// Mean of 1 / size^3 over the part of a box that is in a region, on cells as fine as the field varies.
 class MeanDensity
@@ -62,7 +70,7 @@ private:
         if (!watch.mayGoOn()) return;
         ++cells_;
         const Vec3 centre = 0.5 * (box.low + box.high);
-        const double size = std::min(largest_, sizes_.sizeAt(centre));
+        const double size = sizeAt(sizes_, largest_, centre);
         const double radius = 0.5 * length(box.extent());
         const bool varies = std::min(largest_, sizes_.smallestNear(centre, radius)) < 0.8 * size;
         if (depth >= leastDepth_ && (!varies || depth >= kMostDepth || cells_ > kMostCells)) {
@@ -112,21 +120,20 @@ struct FaceSample
 };
 
 /// On a grid of the face's parameters. Of curvatures the highest tenth is levelled: a spike is no area.
-std::vector<FaceSample> samplesOf(const BrepFace& face, const SizingField* sizes, double largest)
+std::vector<FaceSample> samplesOf(const BrepFace& face, const SizingField* sizes, double largest, int perSide)
 {
-    constexpr int kPoints = 12;  // each way
     std::vector<FaceSample> samples;
     std::vector<double> bends;
-    for (int i = 0; i < kPoints * kPoints; ++i) {
-        const double row = i / kPoints;
-        const double column = i % kPoints;
-        const Vec2 uv{face.boundsU.at((column + 0.5) / kPoints), face.boundsV.at((row + 0.5) / kPoints)};
+    for (int i = 0; i < perSide * perSide; ++i) {
+        const double row = i / perSide;
+        const double column = i % perSide;
+        const Vec2 uv{face.boundsU.at((column + 0.5) / perSide), face.boundsV.at((row + 0.5) / perSide)};
         if (face.trim && face.trim->classify(uv) == TrimSide::Outside) continue;
         const SurfacePoint point = face.surface->evaluate(uv);
         const std::optional<SurfaceCurvature> curvature = curvatureOf(point);
         bends.push_back(curvature ? std::abs(curvature->largest) : 0.0);
-        const double wanted = sizes != nullptr ? sizes->sizeAt(point.position) : kNoSize;
-        samples.push_back({length(point.normal()), std::min(largest, wanted), bends.back()});
+        const double wanted = sizes != nullptr ? sizeAt(*sizes, largest, point.position) : largest;
+        samples.push_back({length(point.normal()), wanted, bends.back()});
     }
     if (samples.empty()) return samples;
     const auto highest = bends.begin() + static_cast<std::ptrdiff_t>(9 * bends.size() / 10);
@@ -140,14 +147,79 @@ double fineTriangles(const BrepFace& face, double area, const MeshOptions& optio
                      double largest)
 {
     if (face.surface->kind() == SurfaceKind::Plane) return 0.0;
+    constexpr int kPerSide = 12;
     double weights = 0.0;
     double sum = 0.0;
-    for (const FaceSample& sample : samplesOf(face, sizes, largest)) {
-        const double size = std::min(sample.wanted, curvedSize(sample.bend, options));
+    for (const FaceSample& sample : samplesOf(face, sizes, largest, kPerSide)) {
+        const double curved = std::max(kLeastShare * largest, curvedSize(sample.bend, options));
+        const double size = std::min(sample.wanted, curved);
         weights += sample.weight;
         sum += sample.weight * (1.0 / (size * size) - 1.0 / (sample.wanted * sample.wanted));
     }
     return weights > 0.0 ? area * sum / (weights * kRegularTriangle) : 0.0;
+}
+
+/// Segments that the sizes make of an edge.
+double segmentsOf(const BrepEdge& edge, const SizingField& sizes, double largest)
+{
+    constexpr int kPieces = 16;
+    double sum = 0.0;
+    if (!edge.curve) return sum;
+    Vec3 before = edge.curve->position(edge.part.first);
+    for (int i = 1; i <= kPieces; ++i) {
+        const Vec3 here = edge.curve->position(edge.part.at(static_cast<double>(i) / kPieces));
+        const Vec3 middle = edge.curve->position(edge.part.at((i - 0.5) / kPieces));
+        sum += length(here - before) / sizeAt(sizes, largest, middle);
+        before = here;
+    }
+    return sum;
+}
+
+/// Triangles that the sizes make of a face.
+double trianglesOf(const BrepFace& face, double area, const SizingField& sizes, double largest)
+{
+    constexpr int kPerSide = 4;
+    double weights = 0.0;
+    double sum = 0.0;
+    for (const FaceSample& sample : samplesOf(face, &sizes, largest, kPerSide)) {
+        weights += sample.weight;
+        sum += sample.weight / (sample.wanted * sample.wanted);
+    }
+    return weights > 0.0 ? area * sum / (weights * kRegularTriangle) : 0.0;
+}
+
+/// What edges and faces have for the sizes on them alone, and the one that has the most.
+struct BoundaryElements
+{
+    double segments = 0.0;
+    double triangles = 0.0;
+    double most = 0.0;
+    std::string entity;
+
+    [[nodiscard]] double count() const { return std::max(segments, triangles); }
+    void add(double elements, const std::string& name, double& sum)
+    {
+        sum += elements;
+        if (!(elements > most)) return;
+        most = elements;
+        entity = name;
+    }
+};
+
+BoundaryElements boundaryElements(const BrepModel& model, const ModelMeasures& measures,
+                                  const SizingField& sizes, double largest, RunContext& context)
+{
+    BoundaryElements elements;
+    for (std::uint32_t i = 0; i < model.edges.size() && context.mayGoOn(); ++i) {
+        const BrepEdgeId e(i);
+        elements.add(segmentsOf(model.edges[e], sizes, largest), nameOf(e), elements.segments);
+    }
+    for (std::uint32_t i = 0; i < model.faces.size() && context.mayGoOn(); ++i) {
+        const BrepFaceId f(i);
+        const double triangles = trianglesOf(model.faces[f], measures.areaOf[f], sizes, largest);
+        elements.add(triangles, nameOf(f), elements.triangles);
+    }
+    return elements;
 }
 
 double largestSize(const BrepModel& model, const MeshOptions& options)
@@ -163,13 +235,17 @@ double tetsForSizes(const BrepModel& model, const SolidVolume& volume, const Siz
     std::optional<double> density = 1.0 / (largest * largest * largest);
     if (sizes != nullptr) density = MeanDensity(*sizes, largest, region).of(model.box, context);
     if (!density) density = MeanDensity(*sizes, largest, nullptr).of(model.box, context);
-    return kTetsForWanted * volume.value * *density / kRegularTet;
+    return kTetsForWanted * volume.value * density.value_or(0.0) / kRegularTet;
 }
 
-MeshEstimate costOfTets(double tets, const BrepModel& model)
+MeshEstimate costOfTets(double tets, const BrepModel& model, const BoundaryElements& boundary)
 {
-    const double elements = std::max(tets, kTetsForEdge * static_cast<double>(model.edges.size()));
-    return {elements, kBytesAtLeast + kBytesForTet * elements, elements / kTetsInSecond};
+    constexpr double kShareToBeNamed = 0.5;
+    const double elements =
+        std::max({tets, boundary.count(), kTetsForEdge * static_cast<double>(model.edges.size())});
+    MeshEstimate estimate = {elements, kBytesAtLeast + kBytesForTet * elements, elements / kTetsInSecond};
+    if (boundary.most > kShareToBeNamed * elements) estimate.entity = boundary.entity;
+    return estimate;
 }
 
 /// As the surfaces of a run are sampled, but for the sizes.
@@ -244,7 +320,7 @@ double tetsAtFineFacets(const SurfaceMesh& mesh, const SizingField* sizes, doubl
         if (!facet.isAlive()) continue;
         Vec3 middle;
         for (const NodeId node : facet.node) middle = middle + (1.0 / 3.0) * mesh.nodes[node].position;
-        const double wanted = std::min(largest, sizes != nullptr ? sizes->sizeAt(middle) : kNoSize);
+        const double wanted = sizes != nullptr ? sizeAt(*sizes, largest, middle) : largest;
         const double own = std::sqrt(areaOfFacet(mesh, facet) / kRegularTriangle);
         const double inDepth = kTetsForWanted * kRegularTriangle * depth / (kRegularTet * own);
         const double share = std::max(0.0, 1.0 - own * own / (wanted * wanted));
@@ -265,7 +341,9 @@ MeshEstimate estimateSolids(const BrepModel& model, const ModelMeasures& measure
         tets +=
             kTetsForFineTriangle * fineTriangles(model.faces[f], measures.areaOf[f], options, sizes, largest);
     }
-    return costOfTets(tets, model);
+    BoundaryElements boundary;
+    if (sizes != nullptr) boundary = boundaryElements(model, measures, *sizes, largest, context);
+    return costOfTets(tets, model, boundary);
 }
 
 MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& options,
@@ -294,7 +372,9 @@ MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& o
     const double depth = meanDepth(measures.volume, samples);
     for (const SurfaceSample& sample : samples)
         tets += tetsAtFineFacets(sample.surface->mesh(), sizes.get(), largest, depth);
-    return costOfTets(tets, model);
+    BoundaryElements boundary;
+    if (sizes) boundary = boundaryElements(model, measures, *sizes, largest, context);
+    return costOfTets(tets, model, boundary);
 }
 
 }  // namespace mesher

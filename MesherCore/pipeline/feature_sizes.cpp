@@ -93,6 +93,7 @@ FeatureSizes featureSizes(const BrepModel& model, const RegionSides& sides,
         return result;
     };
     RunContext own(sizesSettings(context));
+    own.limitTimeAs(context);
     const Result<SurfaceSample> sample = sampleSurface(model, shape, own);
     if (!sample) return failed(sample.error());
     if (!sample->failures.empty()) return failed(sample->failures.front().second);
@@ -103,9 +104,8 @@ FeatureSizes featureSizes(const BrepModel& model, const RegionSides& sides,
     if (model.solids.empty()) {
         sizes = featuresOnFaces(sample->surface->mesh());
     } else {
-        TetrahedralizationOptions recovery;
-        recovery.limits.maxTime = shape.limits.maxTime;
-        const Result<Tetrahedralization> made = tetrahedralize(*sample->surface, sides, recovery, own);
+        const Result<Tetrahedralization> made =
+            tetrahedralize(*sample->surface, sides, TetrahedralizationOptions{}, own);
         if (!made) return failed(made.error());
         result.stopReason = made->stopReason;
         if (isOver(result.stopReason)) return result;

@@ -82,6 +82,10 @@ MeshOutcome meshModel(const BrepModel& model, const MeshOptions& options,
     report.versions = {{"mesher", MESHER_VERSION}};
     report.unit = model.unit;
     report.warnings.insert(report.warnings.begin(), model.notes.begin(), model.notes.end());
+    if (const std::size_t missing = context.missingThreads(); missing > 0) {
+        report.warnings.push_back(std::to_string(missing) + " of " + std::to_string(context.threads()) +
+                                  " threads could not be made, so that the run took longer");
+    }
     if (outcome.mesh) outcome.mesh->unit = model.unit;
     return outcome;
 }

@@ -118,10 +118,6 @@ PlanarOptions planarOptionsOf(const MeshOptions& options, const SizingField* fie
     planar.refinement.sizing.field = field;
     planar.limits.maxElements = options.maxElements;
     planar.mostExpectedTriangles = mostExpectedElements(options);
-    if (options.timeout) {
-        planar.limits.maxTime = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-            std::chrono::duration<double>(std::min(*options.timeout, 1e9)));
-    }
     return planar;
 }
 
@@ -129,6 +125,7 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
                              std::shared_ptr<const SizingField> fromFiles, int boundaryOrder,
                              RunContext& context, const BrepModel* model)
 {
+    context.limitTime(options.timeout);
     PlanarMeshOutcome outcome;
     MeshReport& report = outcome.report;
     report.options = options;
@@ -160,7 +157,7 @@ PlanarMeshOutcome meshPlanar(const PlanarCurveComplex& complex, const MeshOption
     outcome.result = classifyPlanar(complex, result.value().triangulation, boundaryOrder);
     settle(*outcome.result, model, report);
     describeMesh(outcome.result->mesh, report);
-    if (options.isChecked) checkWhole(outcome.result->mesh, report);
+    if (options.isChecked) checkWhole(outcome.result->mesh, report, context);
     return outcome;
 }
 

@@ -99,7 +99,21 @@ Result<std::shared_ptr<const SizingField>> prepareSizes(const BrepModel& model, 
     return solidSizes(model, options, std::move(fromFiles), context);
 }
 
-void finish(const BrepModel& model, const MeshOptions& options, MeshOutcome& outcome)
+void finishMesh(const BrepModel& model, const MeshOptions& options, MeshOutcome& outcome, RunContext& context)
+{
+    const SettledNodes settled = settleNodes(*outcome.mesh, model);
+    outcome.report.counts.emplace_back("settled_nodes", settled.settled);
+    outcome.report.counts.emplace_back("unsettled_nodes", settled.kept);
+    if (!context.mayGoOn()) return;
+    sortNodesByEntity(*outcome.mesh);
+    if (!context.mayGoOn()) return;
+    describeMesh(*outcome.mesh, outcome.report);
+    const bool isWhole = outcome.report.status == MeshReport::Status::Done;
+    if (isWhole && options.isChecked && context.mayGoOn()) checkWhole(*outcome.mesh, outcome.report, context);
+}
+
+/// Orders, measures and checks the mesh. What there is although the time is over is finished without a limit.
+void finish(const BrepModel& model, const MeshOptions& options, MeshOutcome& outcome, RunContext& context)
 {
     std::stable_sort(outcome.report.left.begin(), outcome.report.left.end(),
                      [](const LeftElements& a, const LeftElements& b) { return a.count > b.count; });
@@ -107,13 +121,14 @@ void finish(const BrepModel& model, const MeshOptions& options, MeshOutcome& out
                      [](const LeftFaces& a, const LeftFaces& b) { return a.count > b.count; });
     if (!outcome.mesh) return;
     const StageWatch watch;
-    const SettledNodes settled = settleNodes(*outcome.mesh, model);
-    outcome.report.counts.emplace_back("settled_nodes", settled.settled);
-    outcome.report.counts.emplace_back("unsettled_nodes", settled.kept);
-    sortNodesByEntity(*outcome.mesh);
-    describeMesh(*outcome.mesh, outcome.report);
-    const bool isWhole = outcome.report.status == MeshReport::Status::Done;
-    if (isWhole && options.isChecked) checkWhole(*outcome.mesh, outcome.report);
+    {
+        const TimeLimitPause pause(context, outcome.report.stopReason == StopReason::TimeLimit);
+        finishMesh(model, options, outcome, context);
+        const std::optional<StopReason> reason = context.stopReason();
+        if (reason) tellStop(*reason, outcome.report);
+        // A mesh that is not finished is none.
+        if (reason) outcome.mesh.reset();
+    }
     watch.addTo(outcome.report, "measures");
 }
 
@@ -141,7 +156,7 @@ MeshOutcome refused(const MeshOptions& options, const Error& error)
 MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
                        std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
-    const auto start = SolidRun::Clock::now();
+    context.limitTime(options.timeout);
     if (const Result<void> sound = checkSolids(model); !sound) return refused(options, sound.error());
     context.enterStage("sizes");
     const auto sizes = prepareSizes(model, options, std::move(fromFiles), context);
@@ -167,13 +182,16 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     const std::vector<ModelComponent> components = solidComponents(model);
     std::deque<SolidRun> runs;
     for (const ModelComponent& component : components)
-        runs.emplace_back(component.model, options, sizes.value(), context, start).sampleSurfaces();
-    context.enterStage("contacts");
-    const StageWatch comparison;
-    const std::vector<SolidOverlap> overlaps =
-        tellContacts(sampledComponents(components, runs), whole.report);
-    const bool areFree = overlaps.empty() || options.overlap == OverlapChoice::Separate;
-    comparison.addTo(whole.report, "contacts");
+        runs.emplace_back(component.model, options, sizes.value(), context).sampleSurfaces();
+    std::vector<SolidOverlap> overlaps;
+    bool areFree = false;
+    if (context.mayGoOn()) {
+        context.enterStage("contacts");
+        const StageWatch comparison;
+        overlaps = tellContacts(sampledComponents(components, runs), whole.report, context);
+        areFree = context.mayGoOn() && (overlaps.empty() || options.overlap == OverlapChoice::Separate);
+        comparison.addTo(whole.report, "contacts");
+    }
     ClassifiedMesh mesh;
     for (std::size_t i = 0; i < components.size(); ++i) {
         whole.report.warnings.insert(whole.report.warnings.end(), components[i].notes.begin(),
@@ -181,19 +199,18 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
         const MeshOutcome part = areFree ? runs[i].meshVolumes() : runs[i].keepSurface();
         addReport(components[i], part.report, whole.report);
         if (part.mesh) appendComponent(components[i], *part.mesh, mesh);
-        if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     }
+    if (whole.report.status == MeshReport::Status::Cancelled) return whole;
     if (areFree) tellOverlaps(overlaps, mesh, model.unit, whole.report);
     if (!mesh.nodes.empty()) whole.mesh = std::move(mesh);
-    finish(model, options, whole);
+    finish(model, options, whole, context);
     return whole;
 }
 
 Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOptions& options,
-                                        std::shared_ptr<const SizingField> fromFiles)
+                                        std::shared_ptr<const SizingField> fromFiles, RunContext& context)
 {
     if (const Result<void> sound = checkSolids(model); !sound) return sound.error();
-    RunContext context;
     const auto sizes = solidSizes(model, options, std::move(fromFiles), context);
     if (!sizes) return sizes.error();
     return estimateSolidsBySample(model, options, *sizes, context);
@@ -203,21 +220,20 @@ MeshOutcome meshFaces(const BrepModel& model, const std::vector<BrepFaceId>& fac
                       const MeshOptions& options, std::shared_ptr<const SizingField> fromFiles,
                       RunContext& context)
 {
-    const auto start = SolidRun::Clock::now();
+    context.limitTime(options.timeout);
     const auto sizes = prepareSizes(model, options, std::move(fromFiles), context);
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome whole;
     if (faces.size() == model.faces.size()) {
-        whole = SolidRun(model, options, sizes.value(), context, start).meshFaces();
+        whole = SolidRun(model, options, sizes.value(), context).meshFaces();
     } else {
         const ModelComponent component = facesAlone(model, faces);
-        const MeshOutcome part =
-            SolidRun(component.model, options, sizes.value(), context, start).meshFaces();
+        const MeshOutcome part = SolidRun(component.model, options, sizes.value(), context).meshFaces();
         whole.report.options = options;
         addReport(component, part.report, whole.report);
         if (part.mesh) appendComponent(component, *part.mesh, whole.mesh.emplace());
     }
-    finish(model, options, whole);
+    finish(model, options, whole, context);
     return whole;
 }
 

@@ -23,8 +23,10 @@ namespace mesher {
 
 /// What meshSolids is going to take.
 /// Refuses      a model without solids, shells that are open, and what solidSizes refuses
+/// Terminates   early when the run is to end; the estimate is worth nothing then
 [[nodiscard]] Result<MeshEstimate> estimateSolidModel(const BrepModel& model, const MeshOptions& options,
-                                                      std::shared_ptr<const SizingField> fromFiles);
+                                                      std::shared_ptr<const SizingField> fromFiles,
+                                                      RunContext& context);
 
 /// Meshes faces of a model as surfaces in space, those that share edges as one surface.
 [[nodiscard]] MeshOutcome meshFaces(const BrepModel& model, const std::vector<BrepFaceId>& faces,

@@ -30,25 +30,30 @@ void fail(MeshReport& report, Error error)
     report.failures.push_back(std::move(error));
 }
 
+Error errorOf(StopReason reason, const MeshOptions& options)
+{
+    const bool isElements = reason == StopReason::ElementLimit;
+    std::string remedy;
+    if (reason != StopReason::Cancelled)
+        remedy = isElements ? "choose a larger --size or raise --max-elements"
+                            : "choose a larger --size or raise --timeout";
+    return {ErrorCode::OutOfRange, limitMessage(reason, options), "model", {}, std::move(remedy)};
+}
+
 void tellStop(StopReason reason, MeshReport& report)
 {
     report.stopReason = reason;
     if (reason == StopReason::Done) return;
     report.status =
         reason == StopReason::Cancelled ? MeshReport::Status::Cancelled : MeshReport::Status::Failed;
-    const bool isElements = reason == StopReason::ElementLimit;
-    report.failures.push_back({ErrorCode::OutOfRange,
-                               limitMessage(reason, report.options),
-                               "model",
-                               {},
-                               reason == StopReason::Cancelled ? ""
-                               : isElements ? "choose a larger --size or raise --max-elements"
-                                            : "choose a larger --size or raise --timeout"});
+    report.failures.push_back(errorOf(reason, report.options));
 }
 
-void checkWhole(const ClassifiedMesh& mesh, MeshReport& report)
+void checkWhole(const ClassifiedMesh& mesh, MeshReport& report, RunContext& context)
 {
-    for (const std::string& problem : checkMesh(mesh).problems()) {
+    const MeshCheckReport check = checkMesh(mesh, context);
+    if (!context.mayGoOn()) return;
+    for (const std::string& problem : check.problems()) {
         fail(report, {ErrorCode::InvalidArgument,
                       "the check of the mesh found " + problem,
                       "mesh",

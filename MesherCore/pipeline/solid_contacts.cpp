@@ -1,7 +1,9 @@
 #include "pipeline/solid_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace mesher {
 
@@ -31,10 +33,12 @@ struct Sample
 class ContactSearch
 {
 public:
-    ContactSearch(const ComponentSurface& own, const ComponentSurface& other, double tolerance)
+    ContactSearch(const ComponentSurface& own, const ComponentSurface& other, double tolerance,
+                  RunContext& context)
         : own_(own),
           other_(other),
           tolerance_(tolerance),
+          context_(context),
           clearance_(own.mesh().nodes.size()),
           known_(own.mesh().nodes.size())
     {
@@ -46,7 +50,9 @@ public:
         const SurfaceMesh& mesh = own_.mesh();
         for (std::uint32_t i = 0; i < mesh.facets.size() && !isOverlapFound(); ++i) {
             const FacetId facet(i);
-            if (mesh.facets[facet].isAlive() && mayMeet(facet)) lookAt(facet);
+            if (!mesh.facets[facet].isAlive() || !mayMeet(facet)) continue;
+            if (!context_.mayGoOn()) break;
+            lookAt(facet);
         }
         return found_;
     }
@@ -73,6 +79,7 @@ private:
         const SurfaceFacet& f = own_.mesh().facets[facet];
         const auto at = [&](std::size_t i) { return own_.mesh().nodes[f.node[i]].position; };
         for (std::size_t i = 0; i < 3; ++i) tryNode(facet, i);
+        if (liesOnFace(f)) return;
         const Vec3 middle = (1.0 / 3.0) * (at(0) + at(1) + at(2));
         // The exact point is off the middle by less than facets depart from faces.
         if (clearanceAt(facet, middle) <= reach(facet) + own_.sagOf(facet))
@@ -80,6 +87,8 @@ private:
                      true);
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
+            if (isOfOtherFacet(f.node[i], f.node[j]) || touchOneFace(std::array{f.node[i], f.node[j]}))
+                continue;
             if (clearance_[f.node[i]] > length(at(j) - at(i))) continue;
             const std::vector<double> shares = other_.crossings(at(i), at(j));
             for (std::size_t k = 1; k < shares.size(); ++k) {
@@ -90,6 +99,40 @@ private:
         }
     }
 
+    /// Of the two facets of a face at an edge inside of it, the one that runs along it from the smaller number asks.
+    [[nodiscard]] bool isOfOtherFacet(NodeId from, NodeId to) const
+    {
+        return to < from && (isInsideFace(from) || isInsideFace(to));
+    }
+    [[nodiscard]] bool isInsideFace(NodeId node) const
+    {
+        return own_.mesh().nodes[node].entity.dimension == 2;
+    }
+
+    /// Whether the corners of a facet lie on one face of the other group, and one of them, inside of its own face, has told on
+    /// which side the solids are: between them is nothing that they do not tell.
+    [[nodiscard]] bool liesOnFace(const SurfaceFacet& facet) const
+    {
+        return std::any_of(facet.node.begin(), facet.node.end(),
+                           [&](NodeId node) { return isInsideFace(node); }) &&
+               touchOneFace(facet.node);
+    }
+    [[nodiscard]] bool touchOneFace(std::span<const NodeId> nodes) const
+    {
+        const auto touches = [&](NodeId node, BrepFaceId face) {
+            if (!known_[node]) return false;
+            const auto& touched = known_[node]->touched;
+            return std::any_of(touched.begin(), touched.end(),
+                               [&](const ComponentSurface::Touch& touch) { return touch.face == face; });
+        };
+        if (!known_[nodes[0]]) return false;
+        const auto& candidates = known_[nodes[0]]->touched;
+        return std::any_of(candidates.begin(), candidates.end(), [&](const ComponentSurface::Touch& touch) {
+            return std::all_of(nodes.begin(), nodes.end(),
+                               [&](NodeId node) { return touches(node, touch.face); });
+        });
+    }
+
     /// A corner; what is known of it from another facet, or from a corner beside, is not asked again.
     void tryNode(FacetId facet, std::size_t corner)
     {
@@ -98,7 +141,9 @@ private:
         const Vec3& place = own_.mesh().nodes[node].position;
         clearance_[node] = std::max(clearance_[node], clearanceAt(facet, place));
         if (clearance_[node] > reach(facet)) return;
-        tryPlace({facet, place, {}, false}, f.parameters[corner], node);
+        const bool isInside = isInsideFace(node);
+        const Vec3 normal = isInside ? unitNormal(facet, f.parameters[corner]) : Vec3{};
+        tryPlace({facet, place, normal, isInside}, f.parameters[corner], node);
     }
 
     /// About a corner of known clearance a ball is free of the other surface, and so is a smaller one about a place in it.
@@ -123,11 +168,16 @@ private:
     {
         const std::optional<SurfaceProjection> exact = own_.onFace(facet, place, parameters);
         if (!exact) return;
+        tryPlace({facet, exact->position, unitNormal(facet, exact->parameters), isInsideFace},
+                 exact->parameters);
+    }
+
+    [[nodiscard]] Vec3 unitNormal(FacetId facet, Vec2 parameters) const
+    {
         const Surface& surface = *own_.model().faces[own_.mesh().facets[facet].face].surface;
-        const Vec3 normal = surface.evaluate(exact->parameters).normal();
+        const Vec3 normal = surface.evaluate(parameters).normal();
         const double size = length(normal);
-        const Vec3 unit = size > 0.0 ? (1.0 / size) * normal : Vec3{};
-        tryPlace({facet, exact->position, unit, isInsideFace}, exact->parameters);
+        return size > 0.0 ? (1.0 / size) * normal : Vec3{};
     }
 
     void tryPlace(const Sample& sample, Vec2 parameters, NodeId node = NodeId())
@@ -207,6 +257,7 @@ private:
     const ComponentSurface& own_;
     const ComponentSurface& other_;
     double tolerance_;
+    RunContext& context_;
     IdVector<NodeId, double> clearance_;  ///< no facet of the other group is nearer to the node; 0: not known
     IdVector<NodeId, std::optional<ComponentSurface::Position>> known_;
     std::optional<SolidContact> found_;
@@ -215,11 +266,11 @@ private:
 }  // namespace
 
 std::optional<SolidContact> findContact(const ComponentSurface& first, const ComponentSurface& second,
-                                        double tolerance)
+                                        double tolerance, RunContext& context)
 {
-    const std::optional<SolidContact> found = ContactSearch(first, second, tolerance).search();
+    const std::optional<SolidContact> found = ContactSearch(first, second, tolerance, context).search();
     if (found && found->isOverlap) return found;
-    std::optional<SolidContact> reverse = ContactSearch(second, first, tolerance).search();
+    std::optional<SolidContact> reverse = ContactSearch(second, first, tolerance, context).search();
     if (reverse) std::swap(reverse->first, reverse->second);
     if (reverse && (reverse->isOverlap || !found)) return reverse;
     return found;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/run_context.h"
 #include "base/vec.h"
 #include "brep/brep_ids.h"
 #include "pipeline/component_surface.h"
@@ -21,9 +22,11 @@ struct SolidContact
 /// Guarantees   found are solids that cross, lie in one another or coincide by more than the tolerance where a node, the middle
 ///              of a facet, or the middle of what an edge of a facet has inside of the other group says so; and contacts at such
 ///              places, or where surfaces are led to touch by projection from one to the other
+/// Terminates   early when the run is to end
 /// Cost         a search for each node, facet and edge of one group that lies in the box of the other
 /// Units        `tolerance` in model units: what is nearer touches, what is less deep than a hundred of it does not overlap
 [[nodiscard]] std::optional<SolidContact> findContact(const ComponentSurface& first,
-                                                      const ComponentSurface& second, double tolerance);
+                                                      const ComponentSurface& second, double tolerance,
+                                                      RunContext& context);
 
 }  // namespace mesher

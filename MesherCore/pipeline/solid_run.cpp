@@ -32,21 +32,11 @@ constexpr double kFacetsPerWallElement = 0.25;
 /// Of the model's diagonal: what is nearer to an edge takes millions of good tetrahedra along each tenth of the diagonal.
 constexpr double kLeastGapShare = 1e-7;
 
-double secondsSince(SolidRun::Clock::time_point start)
-{
-    return std::chrono::duration<double>(SolidRun::Clock::now() - start).count();
-}
-
 }  // namespace
 
 SolidRun::SolidRun(const BrepModel& model, const MeshOptions& options,
-                   std::shared_ptr<const SizingField> sizes, RunContext& context, Clock::time_point start)
-    : model_(model),
-      options_(options),
-      context_(context),
-      start_(start),
-      wishes_(std::move(sizes)),
-      sizes_(wishes_)
+                   std::shared_ptr<const SizingField> sizes, RunContext& context)
+    : model_(model), options_(options), context_(context), wishes_(std::move(sizes)), sizes_(wishes_)
 {
     report().options = options;
 }
@@ -62,18 +52,17 @@ MeshOutcome SolidRun::meshVolumes()
 {
     if (isSampled_ && tetrahedralizeSample() && refine()) {
         context_.enterStage("classification");
-        const StageWatch watch;
-        outcome_.mesh = classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_);
-        watch.addTo(report(), "classification");
-        if (options_.isImproved && report().status == MeshReport::Status::Done) improve();
+        const bool isWhole = classify([&] {
+            return classifySolids(tetrahedralization_.tets, sample_.surface->mesh(), sides_, context_);
+        });
+        if (isWhole && options_.isImproved && report().status == MeshReport::Status::Done) improve();
     }
     return outcome_.mesh ? std::move(outcome_) : keepSurface();
 }
 
 MeshOutcome SolidRun::keepSurface()
 {
-    if (sample_.surface && report().status != MeshReport::Status::Cancelled)
-        outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
+    if (sample_.surface) classify([&] { return classifySurface(sample_.surface->mesh(), sides_, context_); });
     return std::move(outcome_);
 }
 
@@ -81,9 +70,33 @@ MeshOutcome SolidRun::meshFaces()
 {
     if (findSides() && findFeatures() && sample()) {
         tellLeftTriangles(leftFacets(sample_.surface->faces()), report());
-        outcome_.mesh = classifySurface(sample_.surface->mesh(), sides_);
+        return keepSurface();
     }
     return std::move(outcome_);
+}
+
+/// What there is when the time is over is made into a mesh without a limit, for those who want it.
+template <class Classify>
+bool SolidRun::classify(Classify make)
+{
+    if (context_.isCancelled()) {
+        if (report().status != MeshReport::Status::Cancelled) tellStop(StopReason::Cancelled, report());
+        return false;
+    }
+    const bool isTimeOver = report().stopReason == StopReason::TimeLimit;
+    if (isTimeOver && !context_.keepsPartial()) return false;
+    const StageWatch watch;
+    ClassifiedMesh mesh;
+    {
+        const TimeLimitPause pause(context_, isTimeOver);
+        mesh = make();
+        if (const std::optional<StopReason> reason = context_.stopReason()) tellStop(*reason, report());
+    }
+    watch.addTo(report(), "classification");
+    const bool isWhole = isTimeOver || report().stopReason != StopReason::TimeLimit;
+    if (!isWhole || report().status == MeshReport::Status::Cancelled) return false;
+    outcome_.mesh = std::move(mesh);
+    return true;
 }
 
 bool SolidRun::findSides()
@@ -99,7 +112,6 @@ SurfaceSamplingOptions SolidRun::samplingOfShape() const
     SurfaceSamplingOptions sampling;
     sampling.curves.maxVariation = std::min(options_.maxTurn, sampling.curves.maxVariation);
     sampling.facets.minAngle = options_.minAngle;
-    sampling.limits.maxTime = timeLeft();
     sampling.limits.maxElements = options_.maxElements;
     return sampling;
 }
@@ -162,7 +174,6 @@ bool SolidRun::tetrahedralizeSample()
     TetrahedralizationOptions recovery;
     // Refinement puts vertices about where scaffold points are anyway, and their removal costs more than all the rest.
     recovery.scaffold = SurfaceScaffold::Kept;
-    recovery.limits.maxTime = timeLeft();
     context_.enterStage("tetrahedralization");
     const StageWatch watch;
     Result<Tetrahedralization> made = tetrahedralize(*sample_.surface, sides_, recovery, context_);
@@ -191,7 +202,6 @@ bool SolidRun::refine()
     refinement.leastGap = kLeastGapShare * length(model_.box.extent());
     refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
     refinement.limits.maxElements = options_.maxElements;
-    refinement.limits.maxTime = timeLeft();
     context_.enterStage("refinement");
     const StageWatch watch;
     Result<RefinedVolume> refined =
@@ -211,7 +221,6 @@ void SolidRun::improve()
 {
     ImprovementOptions improvement;
     improvement.maxSag = options_.sag;
-    improvement.limits.maxTime = timeLeft();
     improvement.limits.maxOperations = mostTries(outcome_.mesh->tets.size());
     context_.enterStage("improvement");
     const StageWatch watch;
@@ -241,13 +250,6 @@ bool SolidRun::mayGoOn(StopReason reason)
     if (reason == StopReason::Done || reason == StopReason::CannotImprove) return true;
     tellStop(reason, report());
     return false;
-}
-
-std::optional<SolidRun::Clock::duration> SolidRun::timeLeft() const
-{
-    if (!options_.timeout) return std::nullopt;
-    const double left = std::max(0.0, std::min(*options_.timeout, 1e9) - secondsSince(start_));
-    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
 }
 
 }  // namespace mesher

@@ -9,23 +9,19 @@
 #include "surface_sampling/sample_surface.h"
 #include "tetrahedralization/tetrahedralize.h"
 
-#include <chrono>
 #include <memory>
-#include <optional>
 
 namespace mesher {
 
 /// The stages of one component in their order, surfaces first and volumes later: in between, solids can be compared with those of
 /// other components. Each step returns whether the next one may follow; why not is in the report.
 /// Requires     model, options and context outlive it
-/// Terminates   by the limits of the options; the limit on time counts from `start`
+/// Terminates   by the limits of the options, and of the context on time
 class SolidRun
 {
 public:
-    using Clock = std::chrono::steady_clock;
-
     SolidRun(const BrepModel& model, const MeshOptions& options, std::shared_ptr<const SizingField> sizes,
-             RunContext& context, Clock::time_point start);
+             RunContext& context);
 
     bool sampleSurfaces();
 
@@ -46,18 +42,18 @@ private:
     bool boundsVolumes();
     bool tetrahedralizeSample();
     bool refine();
+    template <class Classify>
+    bool classify(Classify make);
     void improve();
 
     [[nodiscard]] SurfaceSamplingOptions samplingOfShape() const;
     [[nodiscard]] MeshReport& report() { return outcome_.report; }
     bool failed(Error error);
     bool mayGoOn(StopReason reason);
-    [[nodiscard]] std::optional<Clock::duration> timeLeft() const;
 
     const BrepModel& model_;
     const MeshOptions& options_;
     RunContext& context_;
-    Clock::time_point start_;
     RegionSides sides_;
     std::shared_ptr<const SizingField> wishes_;  ///< the sizes that the user asks for
     std::shared_ptr<const SizingField> sizes_;  ///< these and the features' of the shape, on curves and faces

@@ -125,7 +125,7 @@ private:
     Result<std::vector<CoarseFacet>> facetsOf(const ModelComponent& part, const EntitySize& wish)
     {
         const double least = kLeastSag * length(model_.box.extent());
-        return coarseFaces(part, std::max(kSagOfSize * wish.profile.size, least), options_.timeout, context_);
+        return coarseFaces(part, std::max(kSagOfSize * wish.profile.size, least), context_);
     }
 
     void addFacets(const std::vector<CoarseFacet>& facets, const EntitySize& wish)

@@ -56,7 +56,7 @@ class Certifier
 {
 public:
     Certifier(SampledSurface& surface, const BudgetLimits& limits, RunContext& context)
-        : surface_(surface), limits_(limits), time_(limits.maxTime), context_(context)
+        : surface_(surface), limits_(limits), context_(context)
     {
     }
 
@@ -65,8 +65,7 @@ public:
         for (;;) {
             const std::vector<FacetIntersection> crossing =
                 findFacetIntersections(surface_.faces().model(), surface_.mesh(), context_);
-            if (context_.isCancelled()) result_.refinement.stopReason = StopReason::Cancelled;
-            if (time_.isOver()) result_.refinement.stopReason = StopReason::TimeLimit;
+            result_.refinement.stopReason = context_.stopReason().value_or(StopReason::Done);
             if (result_.refinement.stopReason != StopReason::Done) break;
             const std::vector<FacetIntersection> shared = findSharedEdges(surface_);
             if (result_.rounds == 0) {
@@ -81,7 +80,7 @@ public:
                 break;
             }
             ++result_.rounds;
-            const SamplingRounds rounds = surface_.faces().refine(limitsNow(), kRoundsOfRefinement, context_);
+            const SamplingRounds rounds = surface_.faces().refine(limits_, kRoundsOfRefinement, context_);
             result_.refinement.rounds += rounds.rounds;
             result_.refinement.segmentSplits += rounds.segmentSplits;
             result_.refinement.stopReason = rounds.stopReason;
@@ -92,13 +91,6 @@ public:
     }
 
 private:
-    [[nodiscard]] BudgetLimits limitsNow() const
-    {
-        BudgetLimits limits = limits_;
-        limits.maxTime = time_.now();
-        return limits;
-    }
-
     using FacePair = std::pair<BrepFaceId, BrepFaceId>;
     struct History
     {
@@ -194,7 +186,6 @@ private:
 
     SampledSurface& surface_;
     BudgetLimits limits_;
-    TimeLeft time_;
     RunContext& context_;
     SurfaceCertificate result_;
     IndexedMap<FacePair, History> histories_;

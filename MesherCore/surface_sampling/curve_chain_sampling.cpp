@@ -23,8 +23,8 @@ class CurveChainSampler
 {
 public:
     CurveChainSampler(const BrepModel& model, const CurveChainOptions& options,
-                      IdVector<NodeId, MeshNode>& nodes)
-        : model_(model), options_(options), nodes_(nodes)
+                      IdVector<NodeId, MeshNode>& nodes, RunContext& context)
+        : model_(model), options_(options), nodes_(nodes), watch_(context, kStepsPerAsk)
     {
     }
 
@@ -36,9 +36,10 @@ public:
             nodes_.push_back({model_.vertices[BrepVertexId(v)].position, {0, v}, {}});
         }
         measureFloors();
-        for (std::uint32_t e = 0; e < model_.edges.size(); ++e) {
+        for (std::uint32_t e = 0; e < model_.edges.size() && watch_.mayGoOn(); ++e) {
             if (auto sampled = sampleEdge(BrepEdgeId(e)); !sampled) return sampled.error();
         }
+        if (watch_.stopReason()) return std::move(chains_);
         if (auto separated = separateTwins(); !separated) return separated.error();
         protectSmallAngles(chains_, nodes_, options_);
         return std::move(chains_);
@@ -84,7 +85,7 @@ private:
             return {};
         }
         chains_.variations_.push_back(std::optional<TangentVariation>(std::in_place, edge.curve, edge.part));
-        const std::vector<double> parameters = divideCurve(*chains_.variations_[id], wishesOf(id));
+        const std::vector<double> parameters = divideCurve(*chains_.variations_[id], wishesOf(id), watch_);
         if (parameters.empty()) return tooMany(id);
         if (chains_.segments_.size() + parameters.size() > options_.maxSegments) return tooMany(id);
         addChain(id, parameters);
@@ -112,7 +113,7 @@ private:
         const BrepEdge& edge = model_.edges[id];
         NodeId previous(edge.first.value);
         SegmentId before;
-        for (std::size_t i = 1; i < parameters.size(); ++i) {
+        for (std::size_t i = 1; i < parameters.size() && watch_.mayGoOn(); ++i) {
             const double t = parameters[i];
             const NodeId next = i + 1 == parameters.size()
                                     ? NodeId(edge.last.value)
@@ -181,14 +182,17 @@ private:
 
     const BrepModel& model_;
     const CurveChainOptions& options_;
+    static constexpr std::uint32_t kStepsPerAsk = 16;
+
     IdVector<NodeId, MeshNode>& nodes_;
+    StepWatch watch_;
     CurveChains chains_;
 };
 
 Result<CurveChains> sampleCurveChains(const BrepModel& model, const CurveChainOptions& options,
-                                      IdVector<NodeId, MeshNode>& nodes)
+                                      IdVector<NodeId, MeshNode>& nodes, RunContext& context)
 {
-    return CurveChainSampler(model, options, nodes).run();
+    return CurveChainSampler(model, options, nodes, context).run();
 }
 
 }  // namespace mesher

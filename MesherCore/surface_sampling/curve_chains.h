@@ -2,6 +2,7 @@
 
 #include "base/id_vector.h"
 #include "base/result.h"
+#include "base/run_context.h"
 #include "brep/brep_model.h"
 #include "brep/tangent_variation.h"
 #include "mesh/surface_mesh.h"
@@ -163,8 +164,9 @@ private:
 /// Cuts every edge of the model, and appends a node for each vertex of the model and each inner point of a chain.
 /// Requires     empty `nodes`; a model that outlives the result
 /// Refuses      two edges that coincide between the same vertices
+/// Terminates   early when the run is to end; the chains are incomplete then
 /// Cost         linear in the number of segments
 [[nodiscard]] Result<CurveChains> sampleCurveChains(const BrepModel& model, const CurveChainOptions& options,
-                                                    IdVector<NodeId, MeshNode>& nodes);
+                                                    IdVector<NodeId, MeshNode>& nodes, RunContext& context);
 
 }  // namespace mesher

@@ -14,6 +14,18 @@ constexpr double kCountSlack = 1e-9;
 /// Chords of curves that should be straight, radians.
 constexpr double kStraight = 1e-9;
 constexpr double kMostStations = 4096.0;
+/// Sizes whose inverse is still a number.
+constexpr double kLeastSize = 1e-200;
+
+/// Mean of the densities along a step from their values at its ends: between sizes that differ by much the size goes evenly, and
+/// near one of nearly nothing the mean of the densities would be that of its end alone.
+double meanDensity(double first, double last)
+{
+    constexpr double kSteep = 8.0;
+    const double ratio = first / last;
+    if (!(ratio >= kSteep || ratio <= 1.0 / kSteep)) return 0.5 * (first + last);
+    return std::log(ratio) / (1.0 / last - 1.0 / first);
+}
 
 /// The whole number of pieces whose length is nearest to the one asked for, as a factor.
 double nearestWhole(double count)
@@ -48,9 +60,9 @@ public:
     void addPiece() { pieces_ += 1.0; }
 
     /// Appends the ends of the pieces, but for the first.
-    void appendEnds(std::vector<double>& ends) const
+    void appendEnds(std::vector<double>& ends, StepWatch& watch) const
     {
-        for (double i = 1.0; i <= pieces_; i += 1.0) {
+        for (double i = 1.0; i <= pieces_ && watch.mayGoOn(); i += 1.0) {
             const double t = i < pieces_ ? parameterAtShare(i / pieces_) : part_.last;
             appendWithin({ends.back(), t}, ends);
         }
@@ -81,7 +93,8 @@ private:
     void count(double steps, bool isSized)
     {
         const auto densityAt = [&](double t) {
-            return isSized ? 1.0 / wishes_.sizes->sizeAt(table_.curve().position(t)) : 0.0;
+            if (!isSized) return 0.0;
+            return 1.0 / std::max(kLeastSize, wishes_.sizes->sizeAt(table_.curve().position(t)));
         };
         stations_.assign(1, {part_.first, 0.0, false});
         bound_ = 0.0;
@@ -91,7 +104,7 @@ private:
             const double next = densityAt(t);
             const double arc = table_.arcLength(stations_.back().parameter, t);
             const double byShape = boundOf({stations_.back().parameter, t});
-            const double bySize = 0.5 * (density + next) * arc;
+            const double bySize = meanDensity(density, next) * arc;
             bound_ += byShape;
             stations_.push_back({t, stations_.back().sized + std::max(byShape, bySize), byShape >= bySize});
             density = next;
@@ -190,13 +203,13 @@ void ensurePieces(std::vector<SmoothPart>& parts, int leastPieces)
 
 }  // namespace
 
-std::vector<double> divideCurve(const TangentVariation& table, const CurveWishes& wishes)
+std::vector<double> divideCurve(const TangentVariation& table, const CurveWishes& wishes, StepWatch& watch)
 {
     std::vector<SmoothPart> parts = smoothPartsOf(table, wishes);
     ensurePieces(parts, wishes.leastPieces);
     if (!(piecesOf(parts) < wishes.mostPieces)) return {};
     std::vector<double> ends{table.part().first};
-    for (const SmoothPart& part : parts) part.appendEnds(ends);
+    for (const SmoothPart& part : parts) part.appendEnds(ends, watch);
     return ends;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/run_context.h"
 #include "brep/tangent_variation.h"
 #include "sizing/sizing_field.h"
 
@@ -22,8 +23,10 @@ struct CurveWishes
 /// as the sizes on it in the mean, and turns and departs from its chord by no more than may be.
 /// Guarantees   ascending parameters; the wishes for turning and sag hold for each piece that is not below twice the floor; without
 ///              sizes pieces between two corners turn equally. Nothing where there would be more than `mostPieces`
+/// Terminates   early when the run is to end; the last piece is too long then
 /// Cost         linear in the pieces; at most some thousand questions for sizes on each smooth part
 /// Reference    [gosselin] §2.4.1
-[[nodiscard]] std::vector<double> divideCurve(const TangentVariation& table, const CurveWishes& wishes);
+[[nodiscard]] std::vector<double> divideCurve(const TangentVariation& table, const CurveWishes& wishes,
+                                              StepWatch& watch);
 
 }  // namespace mesher

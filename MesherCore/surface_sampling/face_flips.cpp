@@ -110,10 +110,7 @@ FaceFlips restoreSurfaceDelaunay(FaceMesh& mesh, const FaceGeometry& geometry, s
     return result;
 }
 
-BudgetLimits flipLimits(const FaceMesh& mesh)
-{
-    return {.maxOperations = 1000 + 100 * mesh.triangleCount(), .maxTime = {}};
-}
+BudgetLimits flipLimits(const FaceMesh& mesh) { return {.maxOperations = 1000 + 100 * mesh.triangleCount()}; }
 
 FaceFlips makeSurfaceDelaunay(FaceMesh& mesh, const FaceGeometry& geometry, Budget& budget)
 {

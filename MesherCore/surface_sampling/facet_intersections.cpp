@@ -26,7 +26,7 @@ class FacetTree
 {
 public:
     FacetTree(const BrepModel& model, const SurfaceMesh& mesh, const FacetMarks* asked, RunContext& context)
-        : mesh_(mesh), context_(context), isPlane_(model.faces.size())
+        : mesh_(mesh), context_(context), watch_(context), isPlane_(model.faces.size())
     {
         for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
             isPlane_[f] = model.faces[BrepFaceId(f)].surface->kind() == SurfaceKind::Plane;
@@ -98,7 +98,7 @@ private:
     void findWithin(std::size_t index)
     {
         const Node& node = nodes_[index];
-        if (!node.isAsked || isCancelled()) return;
+        if (!node.isAsked || isStopped()) return;
         if (node.isLeaf()) {
             facetsDone_ += node.last - node.first;
             for (std::size_t i = node.first; i < node.last; ++i) {
@@ -111,10 +111,11 @@ private:
         findBetween(node.child[0], node.child[1]);
     }
 
-    bool isCancelled()
+    bool isStopped()
     {
         constexpr std::size_t kFacetsPerReport = 20'000;
-        if (facetsDone_ < reportedAt_ + kFacetsPerReport) return context_.isCancelled();
+        if (!watch_.mayGoOn()) return true;
+        if (facetsDone_ < reportedAt_ + kFacetsPerReport) return false;
         reportedAt_ = facetsDone_;
         const double fraction = static_cast<double>(facetsDone_) / static_cast<double>(items_.size());
         return !context_.reportProgress("intersections", fraction);
@@ -123,7 +124,7 @@ private:
     void findBetween(std::size_t i, std::size_t k)
     {
         const Node &a = nodes_[i], &b = nodes_[k];
-        if (!(a.isAsked || b.isAsked) || !doBoxesMeet(a.box, b.box)) return;
+        if (!(a.isAsked || b.isAsked) || !doBoxesMeet(a.box, b.box) || !watch_.mayGoOn()) return;
         if (a.isLeaf() && b.isLeaf()) {
             for (std::size_t x = a.first; x < a.last; ++x) {
                 for (std::size_t y = b.first; y < b.last; ++y) testPair(items_[x], items_[y]);
@@ -180,6 +181,7 @@ private:
 
     const SurfaceMesh& mesh_;
     RunContext& context_;
+    StepWatch watch_;
     std::size_t facetsDone_ = 0;
     std::size_t reportedAt_ = 0;
     std::vector<bool> isPlane_;

@@ -3,7 +3,6 @@
 #include "base/result.h"
 #include "base/run_context.h"
 #include "base/stop_reason.h"
-#include "base/time_left.h"
 #include "brep/brep_model.h"
 #include "mesh/surface_mesh.h"
 #include "surface_sampling/curve_chains.h"
@@ -104,7 +103,7 @@ struct InitialSurfaceMesh
 [[nodiscard]] InitialSurfaceMesh initialSurfaceMesh(const BrepModel& model, CurveChains& chains,
                                                     IdVector<NodeId, MeshNode>& nodes,
                                                     const InitialFaceMeshOptions& options,
-                                                    RunContext& context, const TimeLeft& time);
+                                                    RunContext& context);
 
 /// Chains, nodes and facets as one mesh, facets in the order of the faces.
 [[nodiscard]] SurfaceMesh assembleSurfaceMesh(const CurveChains& chains,

@@ -14,13 +14,12 @@ class RoundsOfFaces
 {
 public:
     RoundsOfFaces(const BrepModel& model, CurveChains& chains, IdVector<NodeId, MeshNode>& nodes,
-                  const InitialFaceMeshOptions& options, RunContext& context, const TimeLeft& time)
+                  const InitialFaceMeshOptions& options, RunContext& context)
         : model_(model),
           chains_(chains),
           nodes_(nodes),
           options_(options),
           context_(context),
-          time_(time),
           facesOf_(model.edges.size()),
           isStale_(model.faces.size(), std::uint8_t{1}),
           isGivenUp_(model.faces.size(), std::uint8_t{0}),
@@ -58,13 +57,10 @@ public:
 private:
     bool mayGoOn()
     {
-        if (time_.isOver()) result_.stopReason = StopReason::TimeLimit;
         constexpr unsigned kFacesPerReport = 8;
         const double fraction = 1.0 - 1.0 / (1.0 + result_.rounds);
-        const bool isCancelled = ++facesSeen_ % kFacesPerReport == 0
-                                     ? !context_.reportProgress("first facets", fraction)
-                                     : context_.isCancelled();
-        if (isCancelled) result_.stopReason = StopReason::Cancelled;
+        if (++facesSeen_ % kFacesPerReport == 0) context_.reportProgress("first facets", fraction);
+        if (const std::optional<StopReason> reason = context_.stopReason()) result_.stopReason = *reason;
         return result_.stopReason == StopReason::Done;
     }
 
@@ -204,7 +200,6 @@ private:
     IdVector<NodeId, MeshNode>& nodes_;
     const InitialFaceMeshOptions& options_;
     RunContext& context_;
-    const TimeLeft& time_;
     std::uint64_t facesSeen_ = 0;
     IdVector<BrepEdgeId, std::vector<BrepFaceId>> facesOf_;
     IdVector<BrepFaceId, std::uint8_t> isStale_;
@@ -219,10 +214,9 @@ private:
 
 InitialSurfaceMesh initialSurfaceMesh(const BrepModel& model, CurveChains& chains,
                                       IdVector<NodeId, MeshNode>& nodes,
-                                      const InitialFaceMeshOptions& options, RunContext& context,
-                                      const TimeLeft& time)
+                                      const InitialFaceMeshOptions& options, RunContext& context)
 {
-    return RoundsOfFaces(model, chains, nodes, options, context, time).run();
+    return RoundsOfFaces(model, chains, nodes, options, context).run();
 }
 
 SurfaceMesh assembleSurfaceMesh(const CurveChains& chains, const IdVector<NodeId, MeshNode>& nodes,

@@ -99,22 +99,23 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     SurfaceSample sample;
     SurfaceSamplingCounts& counts = sample.counts;
 
-    const TimeLeft time(options.limits.maxTime);
-    const auto limitsNow = [&] {
-        BudgetLimits limits = options.limits;
-        limits.maxTime = time.now();
-        return limits;
-    };
     Clock::time_point start = Clock::now();
     IdVector<NodeId, MeshNode> nodes;
-    Result<CurveChains> chains = sampleCurveChains(model, options.curves, nodes);
+    Result<CurveChains> chains = sampleCurveChains(model, options.curves, nodes, context);
     if (!chains) return chains.error();
+    if (const std::optional<StopReason> reason = context.stopReason()) {
+        sample.stopReason = *reason;
+        return sample;
+    }
     counts.curveNodes = nodes.size();
     sample.seconds.curves = secondsSince(start);
 
     start = Clock::now();
-    const InitialSurfaceMesh initial =
-        initialSurfaceMesh(model, *chains, nodes, options.initial, context, time);
+    const InitialSurfaceMesh initial = initialSurfaceMesh(model, *chains, nodes, options.initial, context);
+    if (initial.stopReason != StopReason::Done) {
+        sample.stopReason = initial.stopReason;
+        return sample;
+    }
     counts.initialVertices = nodes.size();
     for (const InitialFaceMesh& face : initial.faces) {
         counts.initialFacets += face.facets.size();
@@ -126,16 +127,12 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     start = Clock::now();
     auto faces = std::make_unique<SampledFaces>(model, std::move(*chains), std::move(nodes), initial,
                                                 refinementOptions(model, options));
-    if (initial.stopReason != StopReason::Done) {
-        counts.rounds.stopReason = initial.stopReason;
-    } else {
-        if (options.walls.sides != nullptr)
-            counts.flatRims = findFlatRims(*faces, *options.walls.sides, options.walls.maxRimTets);
-        for (const WallRim& rim : counts.flatRims) {
-            for (const BrepFaceId f : rim.faces) faces->face(f)->refiner.leaveFlat();
-        }
-        counts.rounds = faces->refine(limitsNow(), options.maxRounds, context);
+    if (options.walls.sides != nullptr)
+        counts.flatRims = findFlatRims(*faces, *options.walls.sides, options.walls.maxRimTets);
+    for (const WallRim& rim : counts.flatRims) {
+        for (const BrepFaceId f : rim.faces) faces->face(f)->refiner.leaveFlat();
     }
+    counts.rounds = faces->refine(options.limits, options.maxRounds, context);
     sample.failures = faces->failures();
     reportLostSegments(model, *faces, sample.failures);
     sample.stopReason = counts.rounds.stopReason;
@@ -144,14 +141,14 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
 
     start = Clock::now();
     if (sample.stopReason == StopReason::Done && sample.failures.empty()) {
-        counts.walls = refineWalls(*sample.surface, options.walls, limitsNow(), context);
+        counts.walls = refineWalls(*sample.surface, options.walls, options.limits, context);
         sample.stopReason = counts.walls.refinement.stopReason;
     }
     sample.seconds.walls = secondsSince(start);
 
     start = Clock::now();
     if (options.maxCertificateRounds >= 0 && sample.stopReason == StopReason::Done) {
-        counts.certificate = certify(*sample.surface, limitsNow(), options.maxCertificateRounds, context);
+        counts.certificate = certify(*sample.surface, options.limits, options.maxCertificateRounds, context);
         sample.stopReason = counts.certificate.refinement.stopReason;
     }
     sample.seconds.certificate = secondsSince(start);

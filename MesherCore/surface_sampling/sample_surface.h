@@ -33,7 +33,7 @@ struct SurfaceSamplingOptions
     double minSize = 0.0;
     WallRefinementOptions walls;
     /// For the model as a whole; faces are stopped when one of them alone, or all together, have so many vertices.
-    BudgetLimits limits{.maxVertices = 20'000'000, .maxTime = {}};
+    BudgetLimits limits{.maxVertices = 20'000'000};
     /// Rounds in which faces wait for each other's splits of segments.
     int maxRounds = 1000;
     /// Rounds in which intersecting facets are split; -1 does without the search for them.
@@ -71,7 +71,7 @@ struct SurfaceSamplingTimes
 
 struct SurfaceSample
 {
-    std::unique_ptr<SampledSurface> surface;
+    std::unique_ptr<SampledSurface> surface;  ///< null where the run ended before there were first facets
     StopReason stopReason = StopReason::Done;
     SurfaceSamplingCounts counts;
     SurfaceSamplingTimes seconds;

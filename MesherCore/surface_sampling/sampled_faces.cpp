@@ -1,6 +1,6 @@
 #include "surface_sampling/sampled_faces.h"
 
-#include "surface_sampling/parallel_faces.h"
+#include "base/parallel.h"
 
 #include <algorithm>
 #include <tuple>
@@ -211,7 +211,17 @@ std::vector<SegmentId> SampledFaces::takeProposals()
     return all;
 }
 
-void SampledFaces::split(std::vector<SegmentId> segments, SamplingRounds& result, unsigned threads)
+/// In batches that do not take long, between which the run may end.
+void SampledFaces::split(const std::vector<SegmentId>& segments, SamplingRounds& result, RunContext& context)
+{
+    constexpr std::size_t kMostInBatch = 4096;
+    const std::span<const SegmentId> all(segments);
+    for (std::size_t i = 0; i < all.size() && context.mayGoOn(); i += kMostInBatch)
+        splitBatch(all.subspan(i, std::min(kMostInBatch, all.size() - i)), result, context);
+}
+
+void SampledFaces::splitBatch(std::span<const SegmentId> segments, SamplingRounds& result,
+                              RunContext& context)
 {
     IdVector<BrepFaceId, std::vector<SegmentVertex>> work(model_.faces.size());
     for (const SegmentId s : segments) {
@@ -231,7 +241,7 @@ void SampledFaces::split(std::vector<SegmentId> segments, SamplingRounds& result
     for (std::uint32_t f = 0; f < work.size(); ++f) {
         if (!work[BrepFaceId(f)].empty() && faces_[BrepFaceId(f)]) faces.push_back(BrepFaceId(f));
     }
-    forEachInParallel(faces.size(), threads, [&](std::size_t i) {
+    forEachInParallel(faces.size(), context, [&](std::size_t i) {
         SampledFace& face = *faces_[faces[i]];
         for (const SegmentVertex& vertex : work[faces[i]]) face.refiner.insertOnSegment(vertex);
         face.isActive = true;
@@ -244,7 +254,7 @@ void SampledFaces::prepareFaces(SamplingRounds& result, RunContext& context)
     isPrepared_ = true;
     const std::vector<SampledFace*> faces = activeFaces();
     std::vector<std::size_t> flips(faces.size());
-    forEachInParallel(faces.size(), context.threads(), [&](std::size_t i) {
+    forEachInParallel(faces.size(), context, [&](std::size_t i) {
         Budget budget(flipLimits(faces[i]->mesh), context);
         flips[i] = makeSurfaceDelaunay(faces[i]->mesh, faces[i]->geometry, budget).flips;
         faces[i]->refiner.queueAll();
@@ -275,8 +285,7 @@ bool SampledFaces::tellProgress(RunContext& context)
 }
 
 /// All active faces as far as they can without the segments they propose, by turns that are short enough to be cancelled.
-void SampledFaces::refineActive(const BudgetLimits& limits, const TimeLeft& time, SamplingRounds& result,
-                                RunContext& context)
+void SampledFaces::refineActive(const BudgetLimits& limits, SamplingRounds& result, RunContext& context)
 {
     std::vector<SampledFace*> active = activeFaces();
     for (SampledFace* face : active) face->refiner.queueWaiting();
@@ -284,8 +293,7 @@ void SampledFaces::refineActive(const BudgetLimits& limits, const TimeLeft& time
     turn.maxOperations = std::min(limits.maxOperations, kOperationsPerReport);
     const bool isLastTurn = turn.maxOperations == limits.maxOperations;
     while (!active.empty()) {
-        turn.maxTime = time.now();
-        forEachInParallel(active.size(), context.threads(), [&](std::size_t i) {
+        forEachInParallel(active.size(), context, [&](std::size_t i) {
             Budget budget(turn, context);
             active[i]->stopReason = active[i]->refiner.refine(budget);
         });
@@ -303,21 +311,20 @@ void SampledFaces::refineActive(const BudgetLimits& limits, const TimeLeft& time
 SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, RunContext& context)
 {
     SamplingRounds result;
-    const TimeLeft time(limits.maxTime);
     prepareFaces(result, context);
     // Edges first: inside, facets are then judged beside edges that stay.
     std::vector<SegmentId> proposals = takeProposals();
-    while (!proposals.empty() && result.rounds < maxRounds && tellProgress(context) && !time.isOver() &&
+    while (!proposals.empty() && result.rounds < maxRounds && tellProgress(context) && context.mayGoOn() &&
            vertexCount() < limits.maxVertices) {
         ++result.rounds;
-        split(std::move(proposals), result, context.threads());
+        split(proposals, result, context);
         proposals = takeProposals();
     }
     for (const auto& face : faces_) {
         if (face) face->isActive = true;
     }
     for (int sweeps = 0;;) {
-        refineActive(limits, time, result, context);
+        refineActive(limits, result, context);
         proposals = takeProposals();
         if (result.stopReason != StopReason::Done) break;
         if (proposals.empty()) {
@@ -328,7 +335,7 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
             result.stopReason = StopReason::OperationLimit;
             break;
         }
-        split(std::move(proposals), result, context.threads());
+        split(proposals, result, context);
     }
     return result;
 }

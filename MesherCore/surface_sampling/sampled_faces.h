@@ -5,7 +5,6 @@
 #include "base/id_vector.h"
 #include "base/run_context.h"
 #include "base/stop_reason.h"
-#include "base/time_left.h"
 #include "brep/brep_model.h"
 #include "surface_sampling/curve_chains.h"
 #include "surface_sampling/face_flips.h"
@@ -16,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -99,12 +99,12 @@ private:
     void makeFace(BrepFaceId f, const InitialFaceMesh& initial, const IdVector<NodeId, MeshNode>& nodes,
                   const FaceRefinementOptions& options);
     [[nodiscard]] bool tellProgress(RunContext& context);
-    void refineActive(const BudgetLimits& limits, const TimeLeft& time, SamplingRounds& result,
-                      RunContext& context);
+    void refineActive(const BudgetLimits& limits, SamplingRounds& result, RunContext& context);
     void prepareFaces(SamplingRounds& result, RunContext& context);
     [[nodiscard]] std::vector<SegmentId> takeProposals();
     bool queueGivenUp(RunContext& context);
-    void split(std::vector<SegmentId> segments, SamplingRounds& result, unsigned threads);
+    void split(const std::vector<SegmentId>& segments, SamplingRounds& result, RunContext& context);
+    void splitBatch(std::span<const SegmentId> segments, SamplingRounds& result, RunContext& context);
     [[nodiscard]] std::vector<SampledFace*> activeFaces() const;
 
     const BrepModel& model_;

@@ -78,9 +78,8 @@ WallRefinement refineWalls(SampledSurface& surface, const WallRefinementOptions&
 {
     WallRefinement result;
     if (options.sides == nullptr) return result;
-    const TimeLeft time(limits.maxTime);
     std::vector<CoarseWallFacet> coarse =
-        WallThickness(surface, *options.sides).coarseFacets(options.maxSagShare, options.leastEdges);
+        WallThickness(surface, *options.sides, context).coarseFacets(options.maxSagShare, options.leastEdges);
     if (!coarse.empty()) result.sagShare = affordableShare(coarse, surface.faces(), options);
     while (!coarse.empty()) {
         const auto isFine = [&](const CoarseWallFacet& facet) {
@@ -92,16 +91,16 @@ WallRefinement refineWalls(SampledSurface& surface, const WallRefinementOptions&
         ++result.rounds;
         result.facetsSplit += split.size();
         for (const CoarseWallFacet& facet : split) surface.faces().force(facet.face, facet.triangle);
-        BudgetLimits left = limits;
-        left.maxTime = time.now();
-        const SamplingRounds rounds = surface.faces().refine(left, kRoundsOfRefinement, context);
+        const SamplingRounds rounds = surface.faces().refine(limits, kRoundsOfRefinement, context);
         result.refinement.rounds += rounds.rounds;
         result.refinement.segmentSplits += rounds.segmentSplits;
         result.refinement.stopReason = rounds.stopReason;
         surface.assemble();
         if (rounds.stopReason != StopReason::Done) break;
-        coarse = WallThickness(surface, *options.sides).coarseFacets(options.maxSagShare, options.leastEdges);
+        coarse = WallThickness(surface, *options.sides, context)
+                     .coarseFacets(options.maxSagShare, options.leastEdges);
     }
+    if (const std::optional<StopReason> reason = context.stopReason()) result.refinement.stopReason = *reason;
     result.left = wallsOf(coarse, surface.faces());
     return result;
 }

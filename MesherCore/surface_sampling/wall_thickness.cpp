@@ -8,6 +8,7 @@
 namespace mesher {
 namespace {
 
+constexpr std::uint32_t kVerticesPerAsk = 64;
 /// Cosine between the ways across a wall from its two sides.
 constexpr double kFacing = 0.7;
 /// Thickest over least thickness at the corners of a facet, above which a wall runs out.
@@ -86,9 +87,10 @@ struct FacetExtent
 
 }  // namespace
 
-WallThickness::WallThickness(const SampledSurface& surface, const RegionSides& sides)
+WallThickness::WallThickness(const SampledSurface& surface, const RegionSides& sides, RunContext& context)
     : surface_(surface),
       sides_(sides),
+      context_(context),
       facets_(livingFacets(surface.mesh())),
       boxes_(boxesOf(surface, facets_)),
       tree_(boxes_),
@@ -130,7 +132,8 @@ void WallThickness::addCoarse(BrepFaceId f, std::size_t side, double share, doub
     const FaceMesh& mesh = surface_.faces().face(f)->mesh;
     const std::vector<double> reach = reachesIn(f, share, leastEdges);
     std::vector<Wall> walls(reach.size());
-    for (std::uint32_t v = 0; v < reach.size(); ++v) {
+    StepWatch watch(context_, kVerticesPerAsk);
+    for (std::uint32_t v = 0; v < reach.size() && watch.mayGoOn(); ++v) {
         if (reach[v] > 0.0) walls[v] = wallBehind(f, VertexId(v), side, reach[v]);
     }
     for (std::uint32_t i = 0; i < mesh.triangleSlots(); ++i) {

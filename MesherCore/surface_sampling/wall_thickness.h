@@ -28,11 +28,12 @@ struct CoarseWallFacet
 /// Guarantees   a thickness is the distance of a vertex from the exact surface of a face that looks at it across a solid; a facet
 ///              counts where the wall goes on at its three corners, and is no more than twice as thick at one of them as at
 ///              another: a wedge or a cusp runs out however fine its facets are
+/// Terminates   early when the run is to end: walls are missing then
 /// Cost         a tree of the facets, a search in it and a projection for each vertex of a curved face
 class WallThickness
 {
 public:
-    WallThickness(const SampledSurface& surface, const RegionSides& sides);
+    WallThickness(const SampledSurface& surface, const RegionSides& sides, RunContext& context);
 
     /// Facets whose sag is more than `share` of the thickness behind them and whose edges are longer than `leastEdges` times
     /// that, by face and triangle.
@@ -54,6 +55,7 @@ private:
 
     const SampledSurface& surface_;
     const RegionSides& sides_;
+    RunContext& context_;
     std::vector<FacetId> facets_;
     std::vector<Box3> boxes_;
     BoxTree tree_;

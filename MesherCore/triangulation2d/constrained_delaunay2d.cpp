@@ -53,7 +53,7 @@ private:
         for (std::uint32_t i = 0; i < t_.boundary.subcurves.size(); ++i) {
             const SubcurveId s(i);
             if (!t_.boundary.subcurves[s].isAlive) continue;
-            if (context_.isCancelled()) return {};
+            if (!context_.mayGoOn()) return {};
             auto recovered = t_.delaunay.recoverSegment(t_.firstVertex(s), t_.lastVertex(s));
             if (!recovered) return recovered.error();
             MESHER_INVARIANT(t_.delaunay.lastSegment().size() == 2);

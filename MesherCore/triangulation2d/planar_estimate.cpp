@@ -14,6 +14,8 @@ namespace {
 constexpr double kTrianglesPerSquare = 2.72;
 /// Where the largest size is less than this times the smallest one, the size at the middle stands for all.
 constexpr double kEvenSizes = 1.6;
+constexpr double kLeastSize =
+    1e-100;  ///< smaller ones, whose square is nothing, make too many triangles anyway
 constexpr std::size_t kMostSubdivisions = 100'000;
 
 /// A part of a triangle of the initial triangulation.
@@ -95,7 +97,7 @@ private:
             const double scale = (1.0 - share) * mesh_.lengthScale(a) + share * mesh_.lengthScale(b);
             size = std::min(size, scale + length(toP - share * along) / sizing_.grading);
         }
-        return size;
+        return std::max(size, kLeastSize);
     }
 
     /// Of the sizes in a part. A field may be small at a place between all those that it is asked at.
@@ -110,7 +112,7 @@ private:
         if (sizing_.field == nullptr) return range;
         const double unit = domain_.scale();
         const double inside = unit * sizing_.field->smallestNear(domain_.toSpace(middle), reach / unit);
-        return {std::min(range.first, inside), range.second};
+        return {std::max(kLeastSize, std::min(range.first, inside)), range.second};
     }
 
     const PlanarDomain& domain_;

@@ -97,8 +97,8 @@ Result<PlanarResult> triangulatePlanar(const PlanarCurveComplex& complex, const 
     }
 
     if (auto built = buildConstrainedDelaunay(*domain, context, triangulation); !built) return built.error();
-    if (context.isCancelled()) {
-        result.stopReason = StopReason::Cancelled;
+    if (const std::optional<StopReason> reason = context.stopReason()) {
+        result.stopReason = *reason;
         return result;
     }
     countResult(result);

@@ -20,7 +20,7 @@ struct PlanarOptions
     CurveSamplingOptions sampling;
     RefinementOptions2d refinement;
     /// Vertices, triangles, operations and time; the default ends runs that were going to fill the memory.
-    BudgetLimits limits{.maxElements = 50'000'000, .maxTime = {}};
+    BudgetLimits limits{.maxElements = 50'000'000};
     /// If false, the result is the initial constrained Delaunay triangulation.
     bool isRefined = true;
     /// Refinement that is expected (planar_estimate.h) to end with more triangles than this does not begin: the result is the

@@ -221,6 +221,20 @@ class Refusals(unittest.TestCase):
         with self.assertRaises(mesher.MesherError):
             mesher.estimate(PLATE, size=1.0)
 
+    def test_estimate_is_ended_by_its_progress(self):
+        heard = []
+        def no(stage, fraction):
+            heard.append(stage)
+            return False
+        with self.assertRaises(mesher.Cancelled):
+            mesher.estimate(PLATE, dimension=2, size=1e-3, progress=no)
+        self.assertEqual(len(heard), 1)
+
+    def test_estimate_keeps_to_its_time(self):
+        with self.assertRaises(mesher.MeshingError) as ended:
+            mesher.estimate(PLATE, dimension=2, size=1e-3, timeout=1e-9)
+        self.assertIn("time limit", str(ended.exception))
+
     def test_unwritable_target(self):
         with self.assertRaises(mesher.WriteError):
             mesh_plate().write("/nowhere/plate.msh")

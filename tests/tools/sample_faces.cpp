@@ -92,15 +92,15 @@ void sampleModel(const Settings& settings, const char* path, const mesher::BrepM
     mesher::CurveChainOptions chainOptions;
     if (settings.size > 0.0) chainOptions.sizes = &size;
     mesher::IdVector<mesher::NodeId, mesher::MeshNode> nodes;
-    auto chains = mesher::sampleCurveChains(model, chainOptions, nodes);
+    mesher::RunContext context;
+    auto chains = mesher::sampleCurveChains(model, chainOptions, nodes, context);
     if (!chains) {
         ++totals.reasons[kindOf(chains.error().message)];
         std::printf("curves  %s: %s\n", path, mesher::describe(chains.error()).c_str());
         return;
     }
     const double chained = userSeconds();
-    mesher::RunContext context;
-    const auto initial = mesher::initialSurfaceMesh(model, *chains, nodes, {}, context, mesher::TimeLeft({}));
+    const auto initial = mesher::initialSurfaceMesh(model, *chains, nodes, {}, context);
     const double meshed = userSeconds();
     const mesher::SurfaceMesh mesh = mesher::assembleSurfaceMesh(*chains, nodes, initial);
     const mesher::SurfaceCheck check = mesher::checkSurfaceMesh(model, mesh);

@@ -73,9 +73,12 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     return result
 
 
-def estimate(source, *, heal=False, **options):
-    """What mesh(source, **options) is going to take, within a factor of 1.5 on ordinary parts: {"elements", "bytes", "seconds"}."""
-    return _core.estimate(model_of(source, heal), options)
+def estimate(source, *, heal=False, progress=None, **options):
+    """What mesh(source, **options) is going to take, within a factor of 1.5 on ordinary parts: {"elements", "bytes", "seconds"}.
+
+    progress(stage, fraction) ends it by returning False, which raises Cancelled.
+    """
+    return _core.estimate(model_of(source, heal), options, progress)
 
 
 def validate(**options):

@@ -93,6 +93,8 @@ class TaskMesh:
 
     def _close(self):
         self._is_open = False
+        if self._estimate is not None:
+            self._estimate.cancel()
         self._watch.end()
         self._poller.stop()
         self._estimator.stop()
@@ -151,6 +153,8 @@ class TaskMesh:
 
     # the estimate
     def _on_options_changed(self):
+        if self._estimate is not None:
+            self._estimate.cancel()
         self._estimator.start(_PAUSE_BEFORE_ESTIMATE)
 
     def _start_estimate(self):
@@ -166,7 +170,7 @@ class TaskMesh:
             self.form.setProperty("estimate", in_words_of_panel(error))
             return
         self._is_volume = tool.is_volume
-        self._estimate = BackgroundTask(lambda progress: tool.estimate())
+        self._estimate = BackgroundTask(tool.estimate)
         self._poller.start(_POLL_MILLISECONDS)
 
     def _finish_estimate(self):
@@ -199,6 +203,8 @@ class TaskMesh:
         self._poller.start(_POLL_MILLISECONDS)
 
     def _cancel(self):
+        if self._estimate is not None:
+            self._estimate.cancel()
         if self._task is None:
             return
         self._task.cancel()

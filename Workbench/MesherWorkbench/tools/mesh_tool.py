@@ -25,9 +25,9 @@ class MeshTool:
         """The mesh; raises what mesher.mesh raises."""
         return mesher.mesh(self._model, progress=progress, **self._options)
 
-    def estimate(self):
+    def estimate(self, progress=None):
         """What a run is going to take; raises what mesher.estimate raises."""
-        return mesher.estimate(self._model, **self._options)
+        return mesher.estimate(self._model, progress=progress, **self._options)
 
     @property
     def is_volume(self):

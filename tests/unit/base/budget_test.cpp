@@ -48,15 +48,17 @@ TEST(Budget, StopsAtTheVertexAndElementLimits)
 
 TEST(Budget, StopsWhenTheTimeIsUp)
 {
-    RunContext context;
-    BudgetLimits limits;
-    limits.maxTime = std::chrono::seconds(0);
-    Budget spent(limits, context);
-    EXPECT_FALSE(spent.allows());
-    EXPECT_EQ(spent.exhausted(), StopReason::TimeLimit);
-    limits.maxTime = std::chrono::hours(24);
-    Budget ample(limits, context);
-    EXPECT_TRUE(ample.allows());
+    RunContext ample;
+    ample.limitTime(86'400.0);
+    EXPECT_TRUE(Budget({}, ample).allows());
+    RunContext spent;
+    spent.limitTime(0.0);
+    Budget budget({}, spent);
+    EXPECT_FALSE(budget.allows());
+    EXPECT_EQ(budget.exhausted(), StopReason::TimeLimit);
+    const TimeLimitPause pause(spent);
+    EXPECT_FALSE(budget.allows());
+    EXPECT_TRUE(Budget({}, spent).allows());
 }
 
 TEST(Budget, StopsWhenTheRunIsCancelled)

@@ -7,15 +7,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 namespace mesher {
 namespace {
 
 /// The estimate is within a factor of 1.5 of what meshing makes.
 void expectGoodEstimate(const BrepModel& model, const MeshOptions& options)
 {
-    const Result<MeshEstimate> estimate = estimateSolidModel(model, options, nullptr);
-    ASSERT_TRUE(estimate);
     RunContext context;
+    const Result<MeshEstimate> estimate = estimateSolidModel(model, options, nullptr, context);
+    ASSERT_TRUE(estimate);
     const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
     ASSERT_TRUE(outcome.mesh);
     const double real = static_cast<double>(outcome.mesh->tets.size());
@@ -62,8 +65,8 @@ TEST(EstimateSolids, CountsNoMoreThanABarHasRoomFor)
     MeshOptions options;
     options.size = 1.0;
     const BrepModel bar = makeBox({}, {12.0, 0.4, 0.4}).value();
-    const Result<MeshEstimate> estimate = estimateSolidModel(bar, options, nullptr);
     RunContext context;
+    const Result<MeshEstimate> estimate = estimateSolidModel(bar, options, nullptr, context);
     const MeshOutcome outcome = meshSolids(bar, options, nullptr, context);
     ASSERT_TRUE(estimate && outcome.mesh);
     EXPECT_LT(estimate->elements, 2.5 * static_cast<double>(outcome.mesh->tets.size()));
@@ -83,13 +86,42 @@ TEST(EstimateSolids, RefusesAMeshThatIsTooLargeBeforeItIsBegun)
     EXPECT_EQ(outcome.report.seconds[0].first, "estimate");
 }
 
+TEST(EstimateSolids, KnowsThatSizesOfNearlyNothingAreTooMany)
+{
+    const BrepModel model = makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}).value();
+    for (const char* entity : {"Edge1", "Face1", "Solid1"}) {
+        MeshOptions options;
+        options.distanceSizes = {{entity, 1e-300, 1.0, 0.0}};
+        RunContext context;
+        const MeshOutcome outcome = meshSolids(model, options, nullptr, context);
+        ASSERT_EQ(outcome.report.failures.size(), 1u) << entity;
+        EXPECT_NE(outcome.report.failures[0].message.find("--max-elements"), std::string::npos);
+        EXPECT_EQ(outcome.report.failures[0].entity, std::string(entity) == "Solid1" ? "model" : entity);
+        EXPECT_EQ(outcome.report.seconds.back().first, "estimate");
+        const Result<MeshEstimate> estimate = estimateSolidModel(model, options, nullptr, context);
+        ASSERT_TRUE(estimate);
+        EXPECT_TRUE(std::isfinite(estimate->elements) && estimate->elements > 1e9) << estimate->elements;
+    }
+}
+
+TEST(EstimateSolids, EndsWhenTheRunDoes)
+{
+    const BrepModel model = makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}).value();
+    RunContext context;
+    context.limitTime(0.0);
+    const MeshOutcome outcome = meshSolids(model, {}, nullptr, context);
+    EXPECT_EQ(outcome.report.stopReason, StopReason::TimeLimit);
+    EXPECT_EQ(outcome.report.seconds.back().first, "estimate");
+}
+
 TEST(EstimateSolids, WantsSolids)
 {
     BrepModel model = makeBox({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}).value();
+    RunContext context;
     model.solids[BrepSolidId(0)].shells[0].isClosed = false;
-    EXPECT_FALSE(estimateSolidModel(model, {}, nullptr));
+    EXPECT_FALSE(estimateSolidModel(model, {}, nullptr, context));
     model.solids = {};
-    EXPECT_FALSE(estimateSolidModel(model, {}, nullptr));
+    EXPECT_FALSE(estimateSolidModel(model, {}, nullptr, context));
 }
 
 }  // namespace

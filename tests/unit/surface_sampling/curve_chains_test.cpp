@@ -5,6 +5,7 @@
 #include "brep/analytic/solids.h"
 #include "sizing/shape_sizes.h"
 #include "sizing/uniform_size.h"
+#include "unit/surface_sampling/sampled_model.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ struct Chained
 
 void chainInto(Chained& chained, const CurveChainOptions& options = {})
 {
-    auto chains = sampleCurveChains(chained.model, options, chained.nodes);
+    auto chains = test::sampledChains(chained.model, options, chained.nodes);
     ASSERT_TRUE(chains) << describe(chains.error());
     chained.chains = std::move(*chains);
 }
@@ -131,7 +132,7 @@ TEST(CurveChains, RefuseMoreSegmentsThanAllowed)
     options.sizes = &size;
     options.maxSegments = 1000;
     IdVector<NodeId, MeshNode> nodes;
-    const auto chains = sampleCurveChains(model, options, nodes);
+    const auto chains = test::sampledChains(model, options, nodes);
     ASSERT_FALSE(chains);
     EXPECT_EQ(chains.error().entity, "Edge1");
 }

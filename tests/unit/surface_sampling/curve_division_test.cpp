@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numbers>
@@ -28,9 +30,16 @@ CurveWishes wishesFor(double maxVariation, const SizingField* sizes = nullptr)
     return wishes;
 }
 
+std::vector<double> divided(const TangentVariation& table, const CurveWishes& wishes)
+{
+    RunContext context;
+    StepWatch watch(context);
+    return divideCurve(table, wishes, watch);
+}
+
 std::size_t piecesOf(const TangentVariation& table, const CurveWishes& wishes)
 {
-    const std::vector<double> ends = divideCurve(table, wishes);
+    const std::vector<double> ends = divided(table, wishes);
     EXPECT_EQ(ends.front(), table.part().first);
     EXPECT_EQ(ends.back(), table.part().last);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) EXPECT_LT(ends[i], ends[i + 1]);
@@ -57,6 +66,36 @@ TEST(CurveDivision, MakesPiecesNearestToTheSize)
     EXPECT_EQ(piecesOf(line(9.8), wishesFor(1.0, &size)), 10u);
 }
 
+/// Nearly nothing at the origin, and growing by the distance from there.
+class SizeOfDistance final : public SizingField
+{
+public:
+    [[nodiscard]] double sizeAt(const Vec3& p) const override { return 1e-300 + length(p); }
+    [[nodiscard]] double smallestNear(const Vec3& centre, double radius) const override
+    {
+        return 1e-300 + std::max(0.0, length(centre) - radius);
+    }
+};
+
+TEST(CurveDivision, CountsAsManyPiecesAsSizesThatGrowFromNearlyNothingMake)
+{
+    const SizeOfDistance size;
+    const double exact = std::log(1e300);
+    const auto pieces = static_cast<double>(piecesOf(line(1.0), wishesFor(1.0, &size)));
+    // The first of them are all at one place.
+    EXPECT_GT(pieces, 0.5 * exact);
+    EXPECT_LT(pieces, 1.05 * exact);
+}
+
+TEST(CurveDivision, EndsWhenTheRunDoes)
+{
+    RunContext context;
+    context.requestCancel();
+    StepWatch watch(context);
+    const UniformSize size(1e-3);
+    EXPECT_EQ(divideCurve(line(1.0), wishesFor(1.0, &size), watch).size(), 1u);
+}
+
 /// Sizes are counted over all of a smooth curve, not over each of the pieces that turning alone would make.
 TEST(CurveDivision, CountsSizesAndTurningTogether)
 {
@@ -79,7 +118,7 @@ TEST(CurveDivision, KeepsToTurningAndSagInEachPiece)
     const BallSize size({5.0, 0.0, 0.0}, 1.0, DistanceProfile{.size = 0.3, .growth = 0.5});
     CurveWishes wishes = wishesFor(0.4, &size);
     wishes.maxSag = 0.01;
-    const std::vector<double> ends = divideCurve(table, wishes);
+    const std::vector<double> ends = divided(table, wishes);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const double turning = table.variation(ends[i], ends[i + 1]);
         EXPECT_LE(turning, 0.4 * (1.0 + 1e-5));
@@ -98,7 +137,7 @@ TEST(CurveDivision, GivesAClosedCurveItsPiecesAndEndsAtTheFloor)
     wishes.floor = 0.1;
     EXPECT_EQ(piecesOf(circle(1.0), wishes), 62u);
     wishes.mostPieces = 50.0;
-    EXPECT_TRUE(divideCurve(circle(1.0), wishes).empty());
+    EXPECT_TRUE(divided(circle(1.0), wishes).empty());
 }
 
 }  // namespace

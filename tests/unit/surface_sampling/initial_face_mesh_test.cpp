@@ -171,7 +171,7 @@ TEST(InitialSurfaceMesh, NamesTheFaceWhoseStraightEdgesCross)
 {
     const BrepModel model = planarFace({{{0.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 2.0}}});
     IdVector<NodeId, MeshNode> nodes;
-    auto chains = sampleCurveChains(model, {}, nodes);
+    auto chains = test::sampledChains(model, {}, nodes);
     ASSERT_TRUE(chains);
     const auto mesh = initialFaceMesh(model, BrepFaceId(0), *chains, nodes, {});
     ASSERT_FALSE(mesh);
@@ -185,7 +185,7 @@ TEST(InitialSurfaceMesh, NamesTheFaceWhoseLoopsOverlap)
     const BrepModel model = planarFace({{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}},
                                         {{-1.0, -1.0}, {2.0, -1.0}, {2.0, 2.0}, {-1.0, 2.0}}});
     IdVector<NodeId, MeshNode> nodes;
-    auto chains = sampleCurveChains(model, {}, nodes);
+    auto chains = test::sampledChains(model, {}, nodes);
     ASSERT_TRUE(chains);
     const auto mesh = initialFaceMesh(model, BrepFaceId(0), *chains, nodes, {});
     ASSERT_FALSE(mesh);
@@ -199,7 +199,7 @@ TEST(FaceOutline, CorrectsParameterCurvesThatRunBesideTheEdge)
     bottom.parameterCurve = std::make_shared<LineParameterCurve>(Vec2{0.0, 1e-5}, Vec2{1.0, 0.0});
     bottom.gap = model.edges[bottom.edge].tolerance = 1e-5;
     IdVector<NodeId, MeshNode> nodes;
-    const auto chains = sampleCurveChains(model, {}, nodes);
+    const auto chains = test::sampledChains(model, {}, nodes);
     ASSERT_TRUE(chains);
     const auto outline = outlineOf(model, BrepFaceId(0), *chains, nodes);
     ASSERT_TRUE(outline);
@@ -235,7 +235,7 @@ TEST(InitialFaceMesh, MeshesOneFaceAndAppendsItsNodes)
 {
     const BrepModel model = *makeSphere(Axes{}, 1.0);
     IdVector<NodeId, MeshNode> nodes;
-    auto chains = sampleCurveChains(model, {}, nodes);
+    auto chains = test::sampledChains(model, {}, nodes);
     ASSERT_TRUE(chains);
     const std::size_t onCurves = nodes.size();
     const auto facets = initialFaceMesh(model, BrepFaceId(0), *chains, nodes, {});

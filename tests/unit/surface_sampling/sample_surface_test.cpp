@@ -175,8 +175,8 @@ TEST(SampleSurface, SharesOneTimeLimitAmongItsStages)
 {
     const Result<BrepModel> model = makeCylinder(Axes{}, 1.0, 3.0);
     SurfaceSamplingOptions options;
-    options.limits.maxTime = TimeLeft::Clock::duration::zero();
     RunContext context;
+    context.limitTime(0.0);
     const Result<SurfaceSample> result = sampleSurface(*model, options, context);
     ASSERT_TRUE(result.hasValue());
     EXPECT_EQ(result->stopReason, StopReason::TimeLimit);

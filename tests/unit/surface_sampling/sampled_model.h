@@ -12,6 +12,13 @@
 
 namespace mesher::test {
 
+inline Result<CurveChains> sampledChains(const BrepModel& model, const CurveChainOptions& options,
+                                         IdVector<NodeId, MeshNode>& nodes)
+{
+    RunContext context;
+    return sampleCurveChains(model, options, nodes, context);
+}
+
 /// A model with its coarse surface mesh.
 struct SampledModel
 {
@@ -27,12 +34,11 @@ inline void sampleInto(SampledModel& sampled, BrepModel model, const CurveChainO
                        const InitialFaceMeshOptions& options = {})
 {
     sampled.model = std::move(model);
-    auto chains = sampleCurveChains(sampled.model, chainOptions, sampled.nodes);
+    RunContext context;
+    auto chains = sampleCurveChains(sampled.model, chainOptions, sampled.nodes, context);
     ASSERT_TRUE(chains) << describe(chains.error());
     sampled.chains = std::move(*chains);
-    RunContext context;
-    sampled.initial =
-        initialSurfaceMesh(sampled.model, sampled.chains, sampled.nodes, options, context, TimeLeft({}));
+    sampled.initial = initialSurfaceMesh(sampled.model, sampled.chains, sampled.nodes, options, context);
     for (const auto& [face, error] : sampled.initial.failures) ADD_FAILURE() << describe(error);
     sampled.mesh = assembleSurfaceMesh(sampled.chains, sampled.nodes, sampled.initial);
 }

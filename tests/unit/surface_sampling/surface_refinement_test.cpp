@@ -33,7 +33,7 @@ struct Refined
 Refined refineFrozen(const FaceExample& example, const FaceRefinementOptions& options)
 {
     RunContext context;
-    Budget budget({.maxVertices = 2'000'000, .maxTime = {}}, context);
+    Budget budget({.maxVertices = 2'000'000}, context);
     const FaceGeometry geometry(example.face);
     Result<FaceMesh> made = example.mesh(geometry);
     EXPECT_TRUE(made.hasValue());
@@ -183,7 +183,7 @@ TEST(SurfaceRefinement, GetsIntoAFoldThatFacetsBridge)
     Result<FaceMesh> mesh = example.mesh(geometry);
     ASSERT_TRUE(mesh.hasValue());
     RunContext context;
-    Budget budget({.maxVertices = 100'000, .maxTime = {}}, context);
+    Budget budget({.maxVertices = 100'000}, context);
     const FrozenBoundary boundary;
     FaceRefinementOptions options;
     options.splits.floor = 1e-3;
@@ -217,7 +217,7 @@ TEST(SurfaceRefinement, EndsAtTheBudgetAndGoesOnFromThere)
     options.criteria.maxSize = 0.1;
     FaceRefiner refiner(*mesh, geometry, boundary, options);
     refiner.queueAll();
-    Budget small({.maxVertices = 100, .maxTime = {}}, context);
+    Budget small({.maxVertices = 100}, context);
     EXPECT_EQ(refiner.refine(small), StopReason::VertexLimit);
     EXPECT_EQ(mesh->vertexCount(), 100u);
     EXPECT_EQ(checkFaceMesh(*mesh, geometry).report.problem, "");

@@ -267,7 +267,7 @@ TEST(BoundaryEnrichment, refusesCurvesThatCross)
     builder.circle({0.0, 0.0}, 0.5, {0, 1});
     Steps steps(builder.build(), 90.0);
     RunContext context;
-    Budget budget({.maxOperations = 100000, .maxTime = {}}, context);
+    Budget budget({.maxOperations = 100000}, context);
     const auto enriched = enrichBoundary(steps.domain, steps.boundary, budget);
     ASSERT_FALSE(enriched.hasValue());
     EXPECT_EQ(enriched.error().code, ErrorCode::IntersectingConstraints);
@@ -277,7 +277,7 @@ TEST(BoundaryEnrichment, stopsAtItsBudget)
 {
     Steps steps(test::smallAngleFan(), 90.0);
     RunContext context;
-    Budget budget({.maxOperations = 3, .maxTime = {}}, context);
+    Budget budget({.maxOperations = 3}, context);
     const auto enriched = enrichBoundary(steps.domain, steps.boundary, budget);
     ASSERT_TRUE(enriched.hasValue());
     EXPECT_EQ(enriched->splits, 3u);
