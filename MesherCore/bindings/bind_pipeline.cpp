@@ -150,6 +150,7 @@ py::dict estimate(const ReadModel& read, const py::dict& named, py::object callb
     told["elements"] = found.value().elements;
     told["bytes"] = found.value().bytes;
     told["seconds"] = found.value().seconds;
+    told["at_least"] = found.value().isLeast;
     return told;
 }
 

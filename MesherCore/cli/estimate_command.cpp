@@ -31,8 +31,9 @@ ExitStatus runEstimate(const MeshCommand& command, Console console)
     }
     if (!found) return tell(inModel(found.error(), command.model), ExitStatus::Failed, console);
     const MeshEstimate& estimate = found.value();
-    console.out << std::setprecision(3) << "elements: about " << estimate.elements << "\nmemory: about "
-                << estimate.bytes / 1e6 << " MB\ntime: about " << estimate.seconds << " s\n";
+    const char* const about = estimate.isLeast ? "at least " : "about ";
+    console.out << std::setprecision(3) << "elements: " << about << estimate.elements << "\nmemory: " << about
+                << estimate.bytes / 1e6 << " MB\ntime: " << about << estimate.seconds << " s\n";
     const Result<void> affordable = checkAffordable(estimate, options);
     return affordable ? ExitStatus::Done
                       : tell(inModel(affordable.error(), command.model), ExitStatus::Failed, console);

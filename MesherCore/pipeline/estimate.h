@@ -19,6 +19,7 @@ struct MeshEstimate
     double seconds = 0.0;   ///< on one thread of an ordinary machine
     std::string
         entity{};  ///< that most of them are at, where one has far more than all the others; else empty
+    bool isLeast = false;  ///< what the shape needs is not known; it may be far more
 };
 
 /// The memory and time of so many triangles.

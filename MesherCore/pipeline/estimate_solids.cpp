@@ -4,6 +4,7 @@
 #include "pipeline/feature_sizes.h"
 #include "pipeline/model_components.h"
 #include "pipeline/solid_region.h"
+#include "pipeline/wall_budget.h"
 #include "sizing/combined_size.h"
 #include "surface_sampling/sample_surface.h"
 
@@ -29,6 +30,8 @@ constexpr double kTetsForWanted = 0.72;
 constexpr double kTetsForFineTriangle = 9.0;  // with those along its edges
 constexpr double kTetsForFineFacet = 9.2;
 constexpr double kTetsForEdge = 15.0;
+constexpr double kTetsForFlatFacet =
+    2.3;  // 1.5 where the sides of a wall have the same facets, up to 3.5 where not
 constexpr double kBytesForTet = 220.0;
 constexpr double kBytesAtLeast = 4e7;
 constexpr double kTetsInSecond = 3.5e5;
@@ -298,33 +301,70 @@ double areaOfFacet(const SurfaceMesh& mesh, const SurfaceFacet& facet)
            length(cross(mesh.nodes[facet.node[1]].position - a, mesh.nodes[facet.node[2]].position - a));
 }
 
+/// The surface of a component in the facets that its shape needs.
+struct SampledComponentSurface
+{
+    SurfaceSample sample;
+    RegionSides sides;
+};
+
 /// What a body has behind its surface, on average; infinite where its volume is not known.
-double meanDepth(const SolidVolume& volume, const std::vector<SurfaceSample>& samples)
+double meanDepth(const SolidVolume& volume, const std::vector<SampledComponentSurface>& samples)
 {
     if (volume.uncertainty > kTrustedUncertainty * volume.value) return kNoSize;
     double area = 0.0;
-    for (const SurfaceSample& sample : samples) {
-        const SurfaceMesh& mesh = sample.surface->mesh();
+    for (const SampledComponentSurface& sample : samples) {
+        const SurfaceMesh& mesh = sample.sample.surface->mesh();
         for (const SurfaceFacet& facet : mesh.facets)
             area += facet.isAlive() ? areaOfFacet(mesh, facet) : 0.0;
     }
     return volume.value / area;
 }
 
-/// At facets beyond those that the sizes around them would make. Where there is no depth for all that a facet may have, as in
-/// bars and plates, it has that of tetrahedra as small as itself in the depth that there is.
-double tetsAtFineFacets(const SurfaceMesh& mesh, const SizingField* sizes, double largest, double depth)
+/// Where what the shape needs cannot be told.
+MeshEstimate leastOf(MeshEstimate forSizes)
+{
+    forSizes.isLeast = true;
+    return forSizes;
+}
+
+/// Narrow, and to stay so.
+bool isOnFlatRim(const SampledSurface& surface, FacetId facet)
+{
+    const FaceMesh& mesh = surface.faces().face(surface.mesh().facets[facet].face)->mesh;
+    return mesh.triangle(surface.triangleOf(facet)).left == FacetLeft::Rim;
+}
+
+/// In walls that are as good as the run may make them, and in those that it keeps flat.
+double tetsInWalls(const std::vector<SurveyedWall>& walls)
 {
     double tets = 0.0;
-    for (const SurfaceFacet& facet : mesh.facets) {
-        if (!facet.isAlive()) continue;
+    for (const SurveyedWall& wall : walls) tets += wall.isKept ? kTetsForFlatFacet * wall.facets : wall.tets;
+    return tets;
+}
+
+/// At facets beyond those that the sizes around them would make. Where there is no depth for all that a facet may have, as in
+/// bars and plates, it has that of tetrahedra as small as itself in the depth that there is.
+double tetsAtFineFacets(const SampledComponentSurface& sampled, const SizingField* sizes, double largest,
+                        double depth, RunContext& context)
+{
+    const SampledSurface& surface = *sampled.sample.surface;
+    const SurfaceMesh& mesh = surface.mesh();
+    std::vector<bool> isInFlatWall(mesh.facets.size(), false);
+    const std::vector<WallSides> kept = keptOf(sampled.sample.counts.surveyedWalls);
+    for (const FlatWallFacet& flat : facetsOnWalls(surface, sampled.sides, kept, context))
+        isInFlatWall[flat.facet.value] = true;
+    double tets = 0.0;
+    for (std::uint32_t i = 0; i < mesh.facets.size(); ++i) {
+        const SurfaceFacet& facet = mesh.facets[FacetId(i)];
+        if (!facet.isAlive() || isOnFlatRim(surface, FacetId(i))) continue;
         Vec3 middle;
         for (const NodeId node : facet.node) middle = middle + (1.0 / 3.0) * mesh.nodes[node].position;
         const double wanted = sizes != nullptr ? sizeAt(*sizes, largest, middle) : largest;
         const double own = std::sqrt(areaOfFacet(mesh, facet) / kRegularTriangle);
         const double inDepth = kTetsForWanted * kRegularTriangle * depth / (kRegularTet * own);
         const double share = std::max(0.0, 1.0 - own * own / (wanted * wanted));
-        tets += share * std::min(kTetsForFineFacet, inDepth);
+        tets += share * (isInFlatWall[i] ? kTetsForFlatFacet : std::min(kTetsForFineFacet, inDepth));
     }
     return tets;
 }
@@ -350,28 +390,45 @@ MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& o
                                     std::shared_ptr<const SizingField> sizes, RunContext& context)
 {
     const ModelMeasures measures = measureModel(model, context);
+    const MeshEstimate forSizes = estimateSolids(model, measures, options, sizes.get(), context);
+    const std::vector<ModelComponent> components = solidComponents(model);
+    const std::vector<double> maxWallTets = wallBudgets(components, options, forSizes);
+    const double largest = largestSize(model, options);
     std::vector<std::shared_ptr<const SizingField>> fields;
     if (sizes) fields.push_back(sizes);
-    std::vector<SurfaceSample> samples;
+    std::vector<SampledComponentSurface> samples;
     std::vector<std::array<Vec3, 3>> hull;
-    for (const ModelComponent& component : solidComponents(model)) {
-        Result<SurfaceSample> sample = sampleSurface(component.model, samplingOfShape(options), context);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const ModelComponent& component = components[i];
+        Result<RegionSides> sides = regionSidesOf(component.model);
+        if (!sides) return leastOf(forSizes);
+        SurfaceSamplingOptions sampling = samplingOfShape(options);
+        sampling.walls.sides = &*sides;
+        sampling.walls.maxTets = maxWallTets[i];
+        sampling.walls.leastSize = options.minSize.value_or(0.0);
+        // Without a size, facets are as the shape makes them.
+        if (options.size || sizes) {
+            sampling.walls.sizeAt = [&](const Vec3& p) {
+                return std::min(largest, sizes ? sizes->sizeAt(p) : kNoSize);
+            };
+        }
+        Result<SurfaceSample> sample = sampleSurface(component.model, sampling, context);
         const bool isWhole = sample && sample->failures.empty() && sample->stopReason == StopReason::Done;
-        if (!isWhole) return estimateSolids(model, measures, options, sizes.get(), context);
-        samples.push_back(std::move(sample).value());
-        addOuterFacets(component.model, samples.back().surface->mesh(), hull);
+        if (!isWhole) return leastOf(forSizes);
+        samples.push_back({std::move(sample).value(), std::move(sides).value()});
+        addOuterFacets(component.model, samples.back().sample.surface->mesh(), hull);
         // What has no such sizes is refused by the run.
         if (auto features = featuresOf(component.model, options, context))
             fields.push_back(std::move(features));
     }
     if (options.refinement && !fields.empty())
         sizes = std::make_shared<CombinedSize>(std::move(fields), options.minSize.value_or(0.0));
-    const double largest = largestSize(model, options);
     const SolidRegion inside(std::move(hull));
     double tets = tetsForSizes(model, measures.volume, sizes.get(), largest, &inside, context);
     const double depth = meanDepth(measures.volume, samples);
-    for (const SurfaceSample& sample : samples)
-        tets += tetsAtFineFacets(sample.surface->mesh(), sizes.get(), largest, depth);
+    for (const SampledComponentSurface& sample : samples)
+        tets += tetsAtFineFacets(sample, sizes.get(), largest, depth, context) +
+                tetsInWalls(sample.sample.counts.surveyedWalls);
     BoundaryElements boundary;
     if (sizes) boundary = boundaryElements(model, measures, *sizes, largest, context);
     return costOfTets(tets, model, boundary);

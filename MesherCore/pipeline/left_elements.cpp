@@ -124,34 +124,56 @@ LeftFaces facesOf(const NonDelaunayFaces3d& faces)
     return left;
 }
 
-std::string warningOf(const ThinWall& wall, std::uint64_t most)
-{
-    return "the wall between " + nameOf(EntityRef{2, wall.face[0].value}) + " and " +
-           nameOf(EntityRef{2, wall.face[1].value}) + ", down to " + rounded(wall.thickness) +
-           " thick, is left with flat tetrahedra: good ones would be about " + rounded(wall.tets) +
-           ", and --max-wall-elements is " + std::to_string(most);
-}
+/// Over the tetrahedra that good walls are thought to take, of the number that a warning proposes.
+constexpr double kSafety = 1.2;
 
-std::string warningOf(const WallRim& rim, std::uint64_t most)
+std::string namesOf(const std::vector<BrepFaceId>& faces)
 {
-    std::string faces;
     constexpr std::size_t kMostNames = 4;
-    for (std::size_t i = 0; i < std::min(rim.faces.size(), kMostNames); ++i)
-        faces += (i == 0 ? "" : ", ") + nameOf(rim.faces[i]);
-    if (rim.faces.size() > kMostNames)
-        faces += " and " + std::to_string(rim.faces.size() - kMostNames) + " more";
-    return "the rim of a wall, " + faces + ", down to " + rounded(rim.width) +
-           " wide, is left with flat triangles: good ones would take about " + rounded(rim.tets) +
-           " tetrahedra, and --max-wall-elements is " + std::to_string(most);
+    std::string names;
+    for (std::size_t i = 0; i < std::min(faces.size(), kMostNames); ++i)
+        names += (i == 0 ? "" : ", ") + nameOf(faces[i]);
+    if (faces.size() > kMostNames) names += " and " + std::to_string(faces.size() - kMostNames) + " more";
+    return names;
 }
 
-std::string warningOf(const CoarseWall& wall, std::uint64_t most)
+std::string wallText(const std::array<BrepFaceId, 2>& face, double thickness)
+{
+    return "the wall between " + nameOf(face[0]) + " and " + nameOf(face[1]) + ", down to " +
+           rounded(thickness) + " thick";
+}
+
+/// A number of elements as one would type it, rounded up.
+std::string typed(double count)
+{
+    const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1.0));
+    return std::to_string(static_cast<std::uint64_t>(unit * std::ceil(count / unit)));
+}
+
+std::string warningOf(const SurveyedWall& wall)
+{
+    const std::string rims =
+        wall.rims.empty() ? "" : ", and flat triangles on its rims " + namesOf(wall.rims);
+    const std::string remedy = wall.isBelowLeastSize ? "they would be smaller than --min-size"
+                                                     : "good ones would be about " + rounded(wall.tets) +
+                                                           ", --max-wall-elements " +
+                                                           typed(kSafety * wall.needed) + " allows that many";
+    return wallText(wall.sides.face, wall.thickness) + ", is left with flat tetrahedra" + rims + ": " +
+           remedy;
+}
+
+std::string warningOf(const ThinWall& wall)
+{
+    return wallText(wall.face, wall.thickness) + ", is left with flat tetrahedra: good ones would be about " +
+           rounded(wall.tets) + ", --max-wall-elements " + typed(kSafety * wall.tets) + " allows that many";
+}
+
+std::string warningOf(const CoarseWall& wall)
 {
     return "the wall between " + nameOf(wall.face[0]) + " and " + nameOf(wall.face[1]) + ", " +
            rounded(wall.thickness) + " thick at " + rounded(wall.place.x) + ", " + rounded(wall.place.y) +
            ", " + rounded(wall.place.z) + ", is up to " + rounded(100.0 * wall.sagShare) +
-           " % off its thickness, by the chords of its facets; --max-wall-elements is " +
-           std::to_string(most);
+           " % off its thickness, by the chords of its facets; choose a larger --max-wall-elements";
 }
 
 /// Where more are left coarse than that, a user has to know.
@@ -165,6 +187,15 @@ std::string warningOf(const NarrowGap& gap)
            rounded(gap.place.x) + ", " + rounded(gap.place.y) + ", " + rounded(gap.place.z) +
            ": elements between them are left flat, since good ones would be as small; join the two, or part "
            "them";
+}
+
+template <class Left>
+void warnOf(const std::vector<Left>& left, const std::string& ofMore, MeshReport& report)
+{
+    for (std::size_t i = 0; i < std::min(left.size(), kMostWarnings); ++i)
+        report.warnings.push_back(warningOf(left[i]));
+    if (left.size() > kMostWarnings)
+        report.warnings.push_back(std::to_string(left.size() - kMostWarnings) + ofMore);
 }
 
 /// Why refinement ended before all was done, and the entities where it spent its work.
@@ -201,15 +232,16 @@ std::string warningOf(const UnreachableQuality3d& quality, const MeshOptions& op
 
 void tellWalls(const SurfaceSamplingCounts& counts, MeshReport& report)
 {
-    const std::uint64_t most = report.options.maxWallElements;
-    for (std::size_t i = 0; i < std::min(counts.flatRims.size(), kMostWarnings); ++i)
-        report.warnings.push_back(warningOf(counts.flatRims[i], most));
+    std::vector<SurveyedWall> kept = counts.surveyedWalls;
+    std::erase_if(kept, [](const SurveyedWall& wall) { return !wall.isKept; });
+    std::stable_sort(kept.begin(), kept.end(),
+                     [](const SurveyedWall& a, const SurveyedWall& b) { return a.tets > b.tets; });
+    warnOf(kept, " more walls are left with flat tetrahedra", report);
     std::vector<CoarseWall> coarse = counts.walls.left;
     std::erase_if(coarse, [](const CoarseWall& wall) { return wall.sagShare < kCoarseEnough; });
     std::stable_sort(coarse.begin(), coarse.end(),
                      [](const CoarseWall& a, const CoarseWall& b) { return a.sagShare > b.sagShare; });
-    for (std::size_t i = 0; i < std::min(coarse.size(), kMostWarnings); ++i)
-        report.warnings.push_back(warningOf(coarse[i], most));
+    warnOf(coarse, " more walls are off their thickness", report);
 }
 
 void nameFaceOverLimit(const SurfaceMesh& mesh, MeshReport& report)
@@ -255,19 +287,12 @@ void tellLeftElements(const RefinedVolume& refined, MeshReport& report)
     if (refined.unreachable) report.warnings.push_back(warningOf(*refined.unreachable, report.options));
     if (refined.hasStalled) report.warnings.push_back(stallWarning(refined));
     std::vector<ThinWall> kept = refined.walls;
-    std::erase_if(kept, [](const ThinWall& wall) { return !wall.isKept; });
+    // What its surface was made for is told already.
+    std::erase_if(kept, [](const ThinWall& wall) { return !wall.isKept || wall.isAsked; });
     std::stable_sort(kept.begin(), kept.end(),
                      [](const ThinWall& a, const ThinWall& b) { return a.tets > b.tets; });
-    for (std::size_t i = 0; i < std::min(kept.size(), kMostWarnings); ++i)
-        report.warnings.push_back(warningOf(kept[i], report.options.maxWallElements));
-    if (kept.size() > kMostWarnings)
-        report.warnings.push_back(std::to_string(kept.size() - kMostWarnings) +
-                                  " more walls are left with flat tetrahedra");
-    for (std::size_t i = 0; i < std::min(refined.gaps.size(), kMostWarnings); ++i)
-        report.warnings.push_back(warningOf(refined.gaps[i]));
-    if (refined.gaps.size() > kMostWarnings)
-        report.warnings.push_back(std::to_string(refined.gaps.size() - kMostWarnings) +
-                                  " more gaps beside edges are too narrow to refine between");
+    warnOf(kept, " more walls are left with flat tetrahedra", report);
+    warnOf(refined.gaps, " more gaps beside edges are too narrow to refine between", report);
 }
 
 }  // namespace mesher

@@ -30,8 +30,11 @@ Result<void> validateRun(const MeshOptions& options)
 {
     if (auto r = checkRange("threads", options.threads, 1.0, 1024.0); !r) return r;
     if (auto r = checkRange("max-elements", static_cast<double>(options.maxElements), 1.0, 1e9); !r) return r;
-    if (auto r = checkRange("max-wall-elements", static_cast<double>(options.maxWallElements), 0.0, 1e9); !r)
-        return r;
+    if (options.maxWallElements) {
+        if (auto r = checkRange("max-wall-elements", static_cast<double>(*options.maxWallElements), 0.0, 1e9);
+            !r)
+            return r;
+    }
     if (options.timeout && !checkSize("timeout", *options.timeout)) {
         return optionError("timeout", decimalOf(*options.timeout) + " is no time", "give seconds above 0");
     }

@@ -68,9 +68,9 @@ struct MeshOptions
     ///@{
     unsigned threads = 1;                    ///< 1 … 1024; the mesh does not depend on it. DEFAULT: 1
     std::uint64_t maxElements = 50'000'000;  ///< 1 … 10^9; the run ends there. DEFAULT: 50 million
-    /// Tetrahedra that thin walls may take beyond those of the sizes; walls that take more are left with flat ones.
-    /// 0 … 10^9. DEFAULT: 1 million
-    std::uint64_t maxWallElements = 1'000'000;
+    /// Tetrahedra that thin walls, gaps and cusps may take beyond those of the sizes; those that take more are left with flat
+    /// ones. 0 … 10^9. DEFAULT: about as many as the sizes ask for in the whole model
+    std::optional<std::uint64_t> maxWallElements;
     OverlapChoice overlap = OverlapChoice::Separate;  ///< DEFAULT: Separate
     std::optional<double> timeout;                    ///< seconds, > 0. DEFAULT: none
     bool isChecked = false;  ///< the mesh is checked as a whole before it is handed out. DEFAULT: false

@@ -141,7 +141,7 @@ Json toJson(const MeshOptions& options)
                  {"order", options.order},
                  {"threads", options.threads},
                  {"max_elements", options.maxElements},
-                 {"max_wall_elements", options.maxWallElements},
+                 {"max_wall_elements", orNull(options.maxWallElements)},
                  {"timeout", orNull(options.timeout)},
                  {"check", options.isChecked}};
     // By default it is not spoken of, so that a report with the word in it is one of solids that do overlap.

@@ -12,6 +12,7 @@
 #include "pipeline/solid_run.h"
 #include "pipeline/solid_sizes.h"
 #include "pipeline/stage_watch.h"
+#include "pipeline/wall_budget.h"
 
 #include <algorithm>
 #include <deque>
@@ -181,8 +182,10 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     }
     const std::vector<ModelComponent> components = solidComponents(model);
     std::deque<SolidRun> runs;
-    for (const ModelComponent& component : components)
-        runs.emplace_back(component.model, options, sizes.value(), context).sampleSurfaces();
+    const std::vector<double> maxWallTets = wallBudgets(components, options, estimate);
+    for (std::size_t i = 0; i < components.size(); ++i)
+        runs.emplace_back(components[i].model, options, sizes.value(), maxWallTets[i], context)
+            .sampleSurfaces();
     std::vector<SolidOverlap> overlaps;
     bool areFree = false;
     if (context.mayGoOn()) {
@@ -225,10 +228,12 @@ MeshOutcome meshFaces(const BrepModel& model, const std::vector<BrepFaceId>& fac
     if (!sizes) return refused(options, sizes.error());
     MeshOutcome whole;
     if (faces.size() == model.faces.size()) {
-        whole = SolidRun(model, options, sizes.value(), context).meshFaces();
+        whole = SolidRun(model, options, sizes.value(), wallBudgetOfFaces(options), context).meshFaces();
     } else {
         const ModelComponent component = facesAlone(model, faces);
-        const MeshOutcome part = SolidRun(component.model, options, sizes.value(), context).meshFaces();
+        const MeshOutcome part =
+            SolidRun(component.model, options, sizes.value(), wallBudgetOfFaces(options), context)
+                .meshFaces();
         whole.report.options = options;
         addReport(component, part.report, whole.report);
         if (part.mesh) appendComponent(component, *part.mesh, whole.mesh.emplace());

@@ -25,9 +25,9 @@ namespace {
 /// and small angles leave far more, most cannot be helped.
 std::uint64_t mostTries(std::size_t tets) { return 3 * static_cast<std::uint64_t>(tets) / 10 + 1000; }
 
-/// Facets that thin walls may have so that, kept flat, they stay well within the tetrahedra that walls may take: a facet has one
-/// or two on it.
-constexpr double kFacetsPerWallElement = 0.25;
+/// Which walls are kept flat is decided on their surfaces; only what comes out far dearer than it was thought to be then is kept
+/// flat in the volume after all.
+constexpr double kUncertaintyOfWalls = 2.0;
 
 /// Of the model's diagonal: what is nearer to an edge takes millions of good tetrahedra along each tenth of the diagonal.
 constexpr double kLeastGapShare = 1e-7;
@@ -35,8 +35,13 @@ constexpr double kLeastGapShare = 1e-7;
 }  // namespace
 
 SolidRun::SolidRun(const BrepModel& model, const MeshOptions& options,
-                   std::shared_ptr<const SizingField> sizes, RunContext& context)
-    : model_(model), options_(options), context_(context), wishes_(std::move(sizes)), sizes_(wishes_)
+                   std::shared_ptr<const SizingField> sizes, double maxWallTets, RunContext& context)
+    : model_(model),
+      options_(options),
+      maxWallTets_(maxWallTets),
+      context_(context),
+      wishes_(std::move(sizes)),
+      sizes_(wishes_)
 {
     report().options = options;
 }
@@ -144,8 +149,8 @@ bool SolidRun::sample()
     sampling.facets.sizes = sizes_.get();
     sampling.facets.leastCurvatureSize = options_.minSize.value_or(0.0);
     sampling.walls.sides = &sides_;
-    sampling.walls.maxRimTets = static_cast<double>(options_.maxWallElements);
-    sampling.walls.maxFacets = kFacetsPerWallElement * static_cast<double>(options_.maxWallElements);
+    sampling.walls.maxTets = maxWallTets_;
+    sampling.walls.leastSize = options_.minSize.value_or(0.0);
     context_.enterStage("surfaces");
     const StageWatch watch;
     Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);
@@ -200,7 +205,9 @@ bool SolidRun::refine()
     refinement.quality.largestDihedral = options_.maxDihedral;
     refinement.quality.lambda = options_.lambda;
     refinement.leastGap = kLeastGapShare * length(model_.box.extent());
-    refinement.maxWallTets = static_cast<double>(options_.maxWallElements);
+    refinement.maxWallTets = kUncertaintyOfWalls * maxWallTets_;
+    refinement.flatFacets =
+        facetsOnWalls(*sample_.surface, sides_, keptOf(sample_.counts.surveyedWalls), context_);
     refinement.limits.maxElements = options_.maxElements;
     context_.enterStage("refinement");
     const StageWatch watch;

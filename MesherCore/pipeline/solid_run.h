@@ -21,7 +21,7 @@ class SolidRun
 {
 public:
     SolidRun(const BrepModel& model, const MeshOptions& options, std::shared_ptr<const SizingField> sizes,
-             RunContext& context);
+             double maxWallTets, RunContext& context);
 
     bool sampleSurfaces();
 
@@ -53,6 +53,7 @@ private:
 
     const BrepModel& model_;
     const MeshOptions& options_;
+    double maxWallTets_;
     RunContext& context_;
     RegionSides sides_;
     std::shared_ptr<const SizingField> wishes_;  ///< the sizes that the user asks for

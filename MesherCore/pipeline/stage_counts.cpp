@@ -29,7 +29,7 @@ void tellCounts(const SurfaceSamplingCounts& counts, MeshReport& report)
     add(report, "folded_stars", splits.foldedStars);
     add(report, "steep_stars", splits.steepStars);
     add(report, "forced_stars", counts.refinement.forcedStars);
-    add(report, "flat_rims", counts.flatRims.size());
+    add(report, "flat_walls", keptOf(counts.surveyedWalls).size());
     add(report, "rim_facets_left", counts.refinement.leftOnRims);
     add(report, "wall_facet_splits", counts.walls.facetsSplit);
 }

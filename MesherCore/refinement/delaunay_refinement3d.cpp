@@ -40,7 +40,7 @@ public:
         state_.scale.setInitial();
         countTets();
         flipAll(FacetSwap3d::kNearlyPlane);
-        state_.walls.find(state_.splitter.mesh(), state_.options.maxWallTets);
+        state_.walls.find(state_.splitter.mesh(), state_.options.maxWallTets, state_.options.flatFacets);
         insertSinks();
         if (state_.options.boundary == BoundaryPolicy::Split) {
             boundary_.pushSegments();

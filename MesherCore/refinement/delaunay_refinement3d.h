@@ -105,6 +105,8 @@ struct DelaunayRefinementOptions3d
     double leastGap = 0.0;
     /// Tetrahedra that thin walls may take beyond the sizes wanted. Walls that take more are left with flat ones.
     double maxWallTets = 1e6;
+    /// On the sides of walls that are kept flat whatever they take, ascending.
+    std::vector<FlatWallFacet> flatFacets;
     /// The work after which a refinement that makes no headway ends.
     WorkAllowance allowance;
 };

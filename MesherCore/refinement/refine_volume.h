@@ -22,6 +22,8 @@ struct RefineVolumeOptions
     double leastGap = 0.0;
     /// Tetrahedra that thin walls may take beyond the sizes wanted; see ThinWalls.
     double maxWallTets = 1e6;
+    /// On the sides of walls that are kept flat whatever they take, ascending.
+    std::vector<FlatWallFacet> flatFacets;
     /// The work after which a refinement that makes no headway ends, with the mesh that it has.
     WorkAllowance allowance;
     BudgetLimits limits;

@@ -50,15 +50,15 @@ BrepFaceId faceOf(const ConstrainedTetrahedralization& t, TetFace face, const Su
 
 }  // namespace
 
-void ThinWalls::find(const SurfaceMesh& surface, double budget)
+void ThinWalls::find(const SurfaceMesh& surface, double budget, std::span<const FlatWallFacet> flat)
 {
-    collectSides(surface);
+    collectSides(surface, flat);
     choose(budget);
     markKept(surface);
     sides_.clear();
 }
 
-void ThinWalls::collectSides(const SurfaceMesh& surface)
+void ThinWalls::collectSides(const SurfaceMesh& surface, std::span<const FlatWallFacet> flat)
 {
     const Triangulation3d& mesh = t_.mesh();
     for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
@@ -66,26 +66,54 @@ void ThinWalls::collectSides(const SurfaceMesh& surface)
         if (!isMeshed(mesh, tet) || (mesh.flags(tet) & tet_flag::kFaces) == 0) continue;
         for (int f = 0; f < 4; ++f) {
             const TetFace face(tet, f);
-            const VertexId apex = mesh.vertex(tet, f);
-            if (!mesh.isFaceConstrained(face) || !t_.nodeOf[apex].isValid()) continue;
-            const Vec3 normal = normalOf(mesh, face);
-            const double area = 0.5 * length(normal);
-            const Vec3& corner = mesh.position(mesh.faceVertices(face)[0]);
-            const double height = dot(normal, mesh.position(apex) - corner) / (2.0 * area);
-            if (!(height > 0.0 && height < kKept * longestEdge(mesh, face))) continue;
-            const BrepFaceId across = faceAcross(face, apex, surface);
-            if (!across.isValid()) continue;
-            const std::uint32_t between = wallBetween(faceOf(t_, face, surface), across, mesh.region(tet));
-            sides_.push_back({face, between});
-            if (height >= kThin * longestEdge(mesh, face)) continue;
-            ThinWall& wall = walls_[between];
-            wall.facets += 1.0;
-            wall.tets += kTetsPerSide * area / (height * height);
-            if (wall.thickness == 0.0 || height < wall.thickness * t_.scale) {
-                wall.thickness = height / t_.scale;
-                wall.place = (1.0 / t_.scale) * mesh.position(apex);
-            }
+            if (mesh.isFaceConstrained(face) && !addFlatSides(face, flat)) measureSide(face, surface);
         }
+    }
+}
+
+/// Where the surface was made for a flat wall; facets there need not have the other side's vertices on their tetrahedra.
+bool ThinWalls::addFlatSides(TetFace face, std::span<const FlatWallFacet> flat)
+{
+    if (flat.empty()) return false;
+    std::array<VertexId, 3> corners = t_.mesh().faceVertices(face);
+    std::sort(corners.begin(), corners.end());
+    const FacetId* facet = t_.facetOf.find(corners);
+    if (facet == nullptr) return false;
+    const RegionId region = t_.mesh().region(face.tet());
+    auto at = std::lower_bound(flat.begin(), flat.end(), *facet,
+                               [](const FlatWallFacet& a, FacetId b) { return a.facet < b; });
+    for (; at != flat.end() && at->facet == *facet; ++at) {
+        if (at->sides.region != region) continue;
+        const std::uint32_t between = wallBetween(at->sides.face[0], at->sides.face[1], region);
+        walls_[between].isAsked = true;
+        walls_[between].facets += 1.0;
+        sides_.push_back({face, between});
+        return true;
+    }
+    return false;
+}
+
+void ThinWalls::measureSide(TetFace face, const SurfaceMesh& surface)
+{
+    const Triangulation3d& mesh = t_.mesh();
+    const VertexId apex = mesh.vertex(face.tet(), face.face());
+    if (!t_.nodeOf[apex].isValid()) return;
+    const Vec3 normal = normalOf(mesh, face);
+    const double area = 0.5 * length(normal);
+    const Vec3& corner = mesh.position(mesh.faceVertices(face)[0]);
+    const double height = dot(normal, mesh.position(apex) - corner) / (2.0 * area);
+    if (!(height > 0.0 && height < kKept * longestEdge(mesh, face))) return;
+    const BrepFaceId across = faceAcross(face, apex, surface);
+    if (!across.isValid()) return;
+    const std::uint32_t between = wallBetween(faceOf(t_, face, surface), across, mesh.region(face.tet()));
+    sides_.push_back({face, between});
+    if (height >= kThin * longestEdge(mesh, face)) return;
+    ThinWall& wall = walls_[between];
+    wall.facets += 1.0;
+    wall.tets += kTetsPerSide * area / (height * height);
+    if (wall.thickness == 0.0 || height < wall.thickness * t_.scale) {
+        wall.thickness = height / t_.scale;
+        wall.place = (1.0 / t_.scale) * mesh.position(apex);
     }
 }
 
@@ -119,7 +147,7 @@ std::uint32_t ThinWalls::wallBetween(BrepFaceId a, BrepFaceId b, RegionId region
     const auto found = std::find_if(walls_.begin(), walls_.end(),
                                     [&](const ThinWall& w) { return w.face == face && w.region == region; });
     if (found != walls_.end()) return static_cast<std::uint32_t>(found - walls_.begin());
-    walls_.push_back({face, region, 0.0, 0.0, 0.0, {}, false});
+    walls_.push_back({face, region, 0.0, 0.0, 0.0, {}, false, false});
     return static_cast<std::uint32_t>(walls_.size() - 1);
 }
 
@@ -132,9 +160,10 @@ void ThinWalls::choose(double budget)
                      [&](std::uint32_t a, std::uint32_t b) { return walls_[a].tets < walls_[b].tets; });
     double spent = 0.0;
     for (const std::uint32_t i : order) {
-        spent += walls_[i].tets;
-        walls_[i].isKept = walls_[i].tets > 0.0 && spent > budget;
-        hasKept_ = hasKept_ || walls_[i].isKept;
+        ThinWall& wall = walls_[i];
+        if (!wall.isAsked) spent += wall.tets;
+        wall.isKept = wall.isAsked || (wall.tets > 0.0 && spent > budget);
+        hasKept_ = hasKept_ || wall.isKept;
     }
 }
 

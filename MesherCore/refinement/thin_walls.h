@@ -4,6 +4,7 @@
 #include "brep/brep_ids.h"
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_mesh.h"
+#include "mesh/wall_sides.h"
 
 #include <array>
 #include <cstdint>
@@ -23,6 +24,7 @@ struct ThinWall
     Vec3 place;              ///< where it is thinnest, model units
     bool isKept =
         false;  ///< flat tetrahedra are left in it: it would take more than the run may spend on walls
+    bool isAsked = false;  ///< to be kept, by those who made its surface
 };
 
 /// The thin walls of a model, and which of them are kept flat. A Delaunay refinement fills a wall with tetrahedra as large
@@ -36,8 +38,9 @@ class ThinWalls
 public:
     explicit ThinWalls(const ConstrainedTetrahedralization& tetrahedralization) : t_(tetrahedralization) {}
 
-    /// Finds them in the initial tetrahedralization and keeps those that `budget` tetrahedra do not suffice for.
-    void find(const SurfaceMesh& surface, double budget);
+    /// Finds them in the initial tetrahedralization. Keeps those that have facets in `flat`, which ascend, and of the others those
+    /// that `budget` tetrahedra do not suffice for.
+    void find(const SurfaceMesh& surface, double budget, std::span<const FlatWallFacet> flat = {});
     [[nodiscard]] const std::vector<ThinWall>& walls() const { return walls_; }
 
     /// Whether the tetrahedron stays as flat as its wall is thin.
@@ -77,7 +80,9 @@ private:
         std::uint32_t wall = 0;
     };
 
-    void collectSides(const SurfaceMesh& surface);
+    void collectSides(const SurfaceMesh& surface, std::span<const FlatWallFacet> flat);
+    void measureSide(TetFace face, const SurfaceMesh& surface);
+    bool addFlatSides(TetFace face, std::span<const FlatWallFacet> flat);
     [[nodiscard]] BrepFaceId faceAcross(TetFace face, VertexId apex, const SurfaceMesh& surface) const;
     std::uint32_t wallBetween(BrepFaceId a, BrepFaceId b, RegionId region);
     void choose(double budget);

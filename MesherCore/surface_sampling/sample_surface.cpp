@@ -90,6 +90,25 @@ void countResult(SampledSurface& surface, SurfaceSamplingCounts& counts)
     counts.facets = aliveFacets(surface.mesh());
 }
 
+/// Decides which walls are kept flat, refines what waited for that, and makes facets fine enough for their walls.
+StopReason treatWalls(SampledSurface& surface, const SurfaceSamplingOptions& options,
+                      SurfaceSamplingCounts& counts, RunContext& context)
+{
+    SampledFaces& faces = surface.faces();
+    counts.surveyedWalls = surveyWalls(surface, *options.walls.sides, {options.walls.sizeAt}, context);
+    keepDearWalls(counts.surveyedWalls, options.walls.maxTets, options.walls.leastSize);
+    std::vector<WallSides> kept = keptOf(counts.surveyedWalls);
+    if (faces.keepRimsOf(kept)) {
+        const SamplingRounds rounds = faces.refine(options.limits, options.maxRounds, context);
+        counts.rounds.rounds += rounds.rounds;
+        counts.rounds.segmentSplits += rounds.segmentSplits;
+        surface.assemble();
+        if (rounds.stopReason != StopReason::Done) return rounds.stopReason;
+    }
+    counts.walls = refineWalls(surface, options.walls, kept, options.limits, context);
+    return counts.walls.refinement.stopReason;
+}
+
 }  // namespace
 
 Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplingOptions& options,
@@ -127,11 +146,7 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     start = Clock::now();
     auto faces = std::make_unique<SampledFaces>(model, std::move(*chains), std::move(nodes), initial,
                                                 refinementOptions(model, options));
-    if (options.walls.sides != nullptr)
-        counts.flatRims = findFlatRims(*faces, *options.walls.sides, options.walls.maxRimTets);
-    for (const WallRim& rim : counts.flatRims) {
-        for (const BrepFaceId f : rim.faces) faces->face(f)->refiner.leaveFlat();
-    }
+    if (options.walls.sides != nullptr) faces->leaveFlatOnRims(*options.walls.sides);
     counts.rounds = faces->refine(options.limits, options.maxRounds, context);
     sample.failures = faces->failures();
     reportLostSegments(model, *faces, sample.failures);
@@ -140,10 +155,8 @@ Result<SurfaceSample> sampleSurface(const BrepModel& model, const SurfaceSamplin
     sample.seconds.refinement = secondsSince(start);
 
     start = Clock::now();
-    if (sample.stopReason == StopReason::Done && sample.failures.empty()) {
-        counts.walls = refineWalls(*sample.surface, options.walls, options.limits, context);
-        sample.stopReason = counts.walls.refinement.stopReason;
-    }
+    if (sample.stopReason == StopReason::Done && sample.failures.empty() && options.walls.sides != nullptr)
+        sample.stopReason = treatWalls(*sample.surface, options, counts, context);
     sample.seconds.walls = secondsSince(start);
 
     start = Clock::now();

@@ -12,7 +12,7 @@
 #include "surface_sampling/sampled_surface.h"
 #include "surface_sampling/surface_refinement.h"
 #include "surface_sampling/wall_refinement.h"
-#include "surface_sampling/wall_rims.h"
+#include "surface_sampling/wall_survey.h"
 
 #include <cstddef>
 #include <memory>
@@ -54,7 +54,7 @@ struct SurfaceSamplingCounts
     SamplingRounds rounds;
     FaceRefinementCounts refinement;
     std::vector<BrepFaceId> facesWithoutAngle;  ///< on which the least angle asked for is out of reach
-    std::vector<WallRim> flatRims;
+    std::vector<SurveyedWall> surveyedWalls;
     WallRefinement walls;
     SurfaceCertificate certificate;
 };

@@ -34,6 +34,13 @@ bool SampledFaces::Boundary::spansSmallAngle(NodeId a, NodeId b) const
     return faces_.chains_.spansSmallAngle(a, b);
 }
 
+BrepEdgeId SampledFaces::Boundary::edgeOf(SegmentId segment) const { return faces_.originOf_[segment].edge; }
+
+double SampledFaces::Boundary::wholeLengthOf(SegmentId segment) const
+{
+    return faces_.originOf_[segment].wholeLength;
+}
+
 SampledFaces::SampledFaces(const BrepModel& model, CurveChains chains, IdVector<NodeId, MeshNode> nodes,
                            const InitialSurfaceMesh& initial, const FaceRefinementOptions& options)
     : model_(model),
@@ -43,6 +50,7 @@ SampledFaces::SampledFaces(const BrepModel& model, CurveChains chains, IdVector<
       minAngle_(options.criteria.minAngle)
 {
     findFacesOfEdges();
+    for (const SurfaceSegment& segment : chains_.segments()) originOf_.push_back({segment.edge, 0.0});
     failures_ = initial.failures;
     faces_ = decltype(faces_)();
     for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
@@ -184,6 +192,28 @@ std::vector<BrepFaceId> SampledFaces::facesWithoutAngle() const
     return found;
 }
 
+void SampledFaces::leaveFlatOnRims(const RegionSides& sides)
+{
+    rims_ = std::make_unique<WallRims>(*this, sides);
+    for (const auto& face : faces_) {
+        if (face) face->refiner.leaveFlatOn(*rims_);
+    }
+}
+
+bool SampledFaces::keepRimsOf(std::vector<WallSides> walls)
+{
+    rims_->keep(std::move(walls));
+    bool isAny = false;
+    for (const auto& face : faces_) {
+        if (!face || !face->refiner.hasFormerRim()) continue;
+        face->refiner.queueAll();
+        face->refiner.proposeSegments();
+        face->isActive = true;
+        isAny = true;
+    }
+    return isAny;
+}
+
 void SampledFaces::force(BrepFaceId face, TriangleId facet)
 {
     faces_[face]->refiner.force(facet);
@@ -228,6 +258,8 @@ void SampledFaces::splitBatch(std::span<const SegmentId> segments, SamplingRound
         const SurfaceSegment whole = chains_.segments()[s];
         const std::optional<SegmentSplit> made = chains_.split(s, nodes_);
         isRefused_.resize(chains_.segments().size());
+        const SegmentOrigin origin = originOf_[s];
+        originOf_.resize(chains_.segments().size(), origin);
         if (!made) {
             isRefused_[s] = 1;
             ++result.refusedSplits;
@@ -246,6 +278,17 @@ void SampledFaces::splitBatch(std::span<const SegmentId> segments, SamplingRound
         for (const SegmentVertex& vertex : work[faces[i]]) face.refiner.insertOnSegment(vertex);
         face.isActive = true;
     });
+}
+
+/// When edges have the sizes wanted, before anything is split for the sake of angles.
+void SampledFaces::noteWholeLengths()
+{
+    for (std::uint32_t i = 0; i < originOf_.size(); ++i) {
+        const SurfaceSegment& segment = chains_.segments()[SegmentId(i)];
+        double& whole = originOf_[SegmentId(i)].wholeLength;
+        if (segment.isAlive() && whole == 0.0)
+            whole = length(nodes_[segment.node[1]].position - nodes_[segment.node[0]].position);
+    }
 }
 
 void SampledFaces::prepareFaces(SamplingRounds& result, RunContext& context)
@@ -320,6 +363,7 @@ SamplingRounds SampledFaces::refine(const BudgetLimits& limits, int maxRounds, R
         split(proposals, result, context);
         proposals = takeProposals();
     }
+    noteWholeLengths();
     for (const auto& face : faces_) {
         if (face) face->isActive = true;
     }

@@ -63,6 +63,12 @@ public:
 
     /// Refines all faces. Terminates by the limits, which hold for the whole model, and by `maxRounds`.
     SamplingRounds refine(const BudgetLimits& limits, int maxRounds, RunContext& context);
+    /// Flat facets on what may be the rims of walls wait until it is known which walls are kept flat. Requires the first meshes.
+    void leaveFlatOnRims(const RegionSides& sides);
+    [[nodiscard]] const WallRims& rims() const { return *rims_; }
+    /// From now on facets are left on the rims of these walls alone; faces with others that waited are refined again next.
+    /// False if there are none.
+    bool keepRimsOf(std::vector<WallSides> walls);
     /// Has a facet split in the next refinement, whatever its shape.
     void force(BrepFaceId face, TriangleId facet);
 
@@ -89,6 +95,8 @@ private:
         [[nodiscard]] bool maySplit(SegmentId segment) const override;
         [[nodiscard]] bool isAtApex(SegmentId segment) const override;
         [[nodiscard]] bool spansSmallAngle(NodeId a, NodeId b) const override;
+        [[nodiscard]] BrepEdgeId edgeOf(SegmentId segment) const override;
+        [[nodiscard]] double wholeLengthOf(SegmentId segment) const override;
 
     private:
         const SampledFaces& faces_;
@@ -100,6 +108,7 @@ private:
                   const FaceRefinementOptions& options);
     [[nodiscard]] bool tellProgress(RunContext& context);
     void refineActive(const BudgetLimits& limits, SamplingRounds& result, RunContext& context);
+    void noteWholeLengths();
     void prepareFaces(SamplingRounds& result, RunContext& context);
     [[nodiscard]] std::vector<SegmentId> takeProposals();
     bool queueGivenUp(RunContext& context);
@@ -112,9 +121,17 @@ private:
     IdVector<NodeId, MeshNode> nodes_;
     Boundary boundary_;
     IdVector<SegmentId, std::uint8_t> isRefused_;
+    /// Also of segments that are split already, which a face has until it follows.
+    struct SegmentOrigin
+    {
+        BrepEdgeId edge;
+        double wholeLength = 0.0;  ///< FaceBoundary::wholeLengthOf
+    };
+    IdVector<SegmentId, SegmentOrigin> originOf_;
     IdVector<BrepEdgeId, std::vector<BrepFaceId>> facesOf_;
     IdVector<BrepFaceId, std::unique_ptr<SampledFace>> faces_;
     std::vector<std::pair<BrepFaceId, Error>> failures_;
+    std::unique_ptr<WallRims> rims_;
     double floor_ = 0.0;
     double minAngle_ = 0.0;
     bool isPrepared_ = false;

@@ -11,6 +11,7 @@
 #include "surface_sampling/facet_criteria.h"
 #include "surface_sampling/facet_measures.h"
 #include "surface_sampling/facet_split.h"
+#include "surface_sampling/wall_rims.h"
 
 #include <array>
 #include <cstddef>
@@ -32,6 +33,17 @@ public:
     [[nodiscard]] virtual bool isAtApex(SegmentId segment) const = 0;
     /// Two nodes on one shell around the apex of a small angle.
     [[nodiscard]] virtual bool spansSmallAngle(NodeId a, NodeId b) const = 0;
+    [[nodiscard]] virtual BrepEdgeId edgeOf(SegmentId segment) const = 0;
+    /// Of the segment that it is a piece of, as sizes and the shape of its edge have made it; 0 as long as that is not known.
+    [[nodiscard]] virtual double wholeLengthOf(SegmentId segment) const = 0;
+};
+
+/// A flat facet between two edges of its face, which may be on the rim of a wall.
+struct RimPlace
+{
+    std::array<BrepEdgeId, 2> edge;
+    double length = 0.0;  ///< of its side on the first edge
+    double width = 0.0;   ///< from there to its corner on the second
 };
 
 struct FaceRefinementOptions
@@ -51,7 +63,7 @@ struct FaceRefinementCounts
     std::size_t deferred = 0;      ///< facets that waited for segments to be split
     std::size_t leftAtSmallAngles = 0;  ///< facets, see FacetLeft
     std::size_t leftForResolution = 0;  ///< facets
-    std::size_t leftOnRims = 0;         ///< facets, see FaceRefiner::leaveFlat
+    std::size_t leftOnRims = 0;         ///< facets, see FaceRefiner::leaveFlatOn
     std::size_t releasedFans = 0;       ///< facets of fans around tips that had to be split
     FacetSplitCounts splits;
 
@@ -102,8 +114,12 @@ public:
     /// Has a facet split when refinement goes on, whatever its shape.
     void force(TriangleId t);
     void queueAll();
-    /// The face is a strip around a wall, on which flat facets are left as they are: neither these nor quality split segments.
-    void leaveFlat() { leavesFlat_ = true; }
+    /// Flat facets on the rims of walls are left as they are from now on, and do not split segments; `rims` must outlive it.
+    void leaveFlatOn(const WallRims& rims) { rims_ = &rims; }
+    /// Of a facet that is left so, or would be.
+    [[nodiscard]] std::optional<RimPlace> rimPlaceOf(TriangleId t) const;
+    /// Whether facets were left on rims where none are to be left any more; these are to be looked at again then.
+    [[nodiscard]] bool hasFormerRim() const;
     /// Those that were given up, since what is around them has changed, among facets made locally Delaunay where coarse ones
     /// could not be. False if there are none that are new.
     bool queueGivenUp(RunContext& context);
@@ -134,6 +150,7 @@ private:
     [[nodiscard]] bool isAtSmallAngle(const FaceTriangle& record, const FacetShape& shape) const;
     void proposeAround(VertexId v);
     void proposeIfEncroached(EdgeLink side);
+    [[nodiscard]] std::optional<RimPlace> rimPlaceAt(EdgeLink side) const;
     [[nodiscard]] EdgeLink sideOf(const SegmentVertex& split) const;
     bool removeApex(EdgeLink side);
     void flipAround(VertexId v);
@@ -159,7 +176,7 @@ private:
     bool hasGivenUpAngle_ = false;
     bool isWatched_;  ///< an angle above the default may be out of reach
     bool hasGivenUp_ = false;
-    bool leavesFlat_ = false;
+    const WallRims* rims_ = nullptr;
     bool isTryingAgain_ = false;  ///< what was given up is tried by other means as well
 };
 

@@ -12,23 +12,69 @@ constexpr int kRoundsOfRefinement = 200;
 constexpr double kMeanEdge = 0.7;
 /// Area of an equilateral triangle over its squared edge.
 constexpr double kEquilateral = 0.433;
+/// Facets that walls may be given for the sake of their thickness, over the good tetrahedra that they may take; and over the
+/// facets that there are already, which sizes have asked for.
+constexpr double kFacetsPerTet = 0.25;
+constexpr double kFacetsPerFacet = 1.0;
+/// Largest sag over thickness where chords are in the wall, so that the other side stays clear of them; and where they are
+/// beyond it, so that they only make it thicker.
+constexpr double kMostShareInWall = 1.0;
+constexpr double kMostShareBeyond = 5.0;
 
-/// The edge at which a facet is fine enough.
-double wantedEdge(const CoarseWallFacet& facet, double share, double leastEdges)
+/// What walls may be asked for.
+class WallLimits
 {
-    return std::max(std::sqrt(8.0 * facet.radius * share * facet.thickness), leastEdges * facet.thickness);
-}
-
-/// Facets that it takes to make all of these fine enough.
-double facetsFor(const std::vector<CoarseWallFacet>& coarse, double share, double leastEdges)
-{
-    double count = 0.0;
-    for (const CoarseWallFacet& facet : coarse) {
-        const double edge = kMeanEdge * std::min(wantedEdge(facet, share, leastEdges), facet.longest);
-        count += std::max(1.0, facet.area / (kEquilateral * edge * edge));
+public:
+    WallLimits(const WallRefinementOptions& options, const std::vector<WallSides>& kept)
+        : options_(options), kept_(kept), share_(options.maxSagShare)
+    {
     }
-    return count;
-}
+
+    /// Raises the share of walls that are not kept until the facets suffice for it.
+    void makeAffordable(const std::vector<CoarseWallFacet>& coarse, double facets)
+    {
+        constexpr double kStep = 1.25;
+        const double most = std::max(kFacetsPerTet * options_.maxTets, kFacetsPerFacet * facets);
+        while (share_ < kMostShareInWall && facetsFor(coarse) > most) share_ *= kStep;
+        share_ = std::min(share_, kMostShareInWall);
+    }
+
+    [[nodiscard]] double share() const { return share_; }
+    [[nodiscard]] bool isFine(const CoarseWallFacet& facet) const
+    {
+        const double shortest = std::max(options_.leastEdges * facet.thickness, options_.leastSize);
+        // Where no more is asked than that the sides do not cross, what counts is where the chords are.
+        const double sag = isKept(facet) ? facet.chordSag : facet.sag;
+        return sag <= shareOf(facet) * facet.thickness || facet.longest <= shortest;
+    }
+
+private:
+    [[nodiscard]] bool isKept(const CoarseWallFacet& facet) const
+    {
+        return std::binary_search(kept_.begin(), kept_.end(),
+                                  WallSides::of(facet.face, facet.across, facet.region));
+    }
+    [[nodiscard]] double shareOf(const CoarseWallFacet& facet) const
+    {
+        const double coarsest = facet.isInWall ? kMostShareInWall : kMostShareBeyond;
+        return isKept(facet) ? coarsest : share_;
+    }
+    /// Beyond those that there are.
+    [[nodiscard]] double facetsFor(const std::vector<CoarseWallFacet>& coarse) const
+    {
+        double count = 0.0;
+        for (const CoarseWallFacet& facet : coarse) {
+            if (isKept(facet) || isFine(facet)) continue;
+            const double edge = kMeanEdge * facet.longest * std::sqrt(share_ * facet.thickness / facet.sag);
+            count += std::max(0.0, facet.area / (kEquilateral * edge * edge) - 1.0);
+        }
+        return count;
+    }
+
+    const WallRefinementOptions& options_;
+    const std::vector<WallSides>& kept_;
+    double share_;
+};
 
 std::size_t facetCount(const SampledFaces& faces)
 {
@@ -38,19 +84,6 @@ std::size_t facetCount(const SampledFaces& faces)
         count += face != nullptr ? face->mesh.triangleCount() : 0;
     }
     return count;
-}
-
-/// The least share, from the one asked for, that the facets suffice for.
-double affordableShare(const std::vector<CoarseWallFacet>& coarse, const SampledFaces& faces,
-                       const WallRefinementOptions& options)
-{
-    constexpr double kStep = 1.25;
-    constexpr double kMost = 16.0;
-    const double others = static_cast<double>(facetCount(faces)) - static_cast<double>(coarse.size());
-    double share = options.maxSagShare;
-    while (share < kMost && others + facetsFor(coarse, share, options.leastEdges) > options.maxFacets)
-        share *= kStep;
-    return share;
 }
 
 /// One for each pair of faces, with the worst of its facets.
@@ -74,19 +107,19 @@ std::vector<CoarseWall> wallsOf(const std::vector<CoarseWallFacet>& coarse, cons
 }  // namespace
 
 WallRefinement refineWalls(SampledSurface& surface, const WallRefinementOptions& options,
-                           const BudgetLimits& limits, RunContext& context)
+                           const std::vector<WallSides>& kept, const BudgetLimits& limits,
+                           RunContext& context)
 {
     WallRefinement result;
     if (options.sides == nullptr) return result;
     std::vector<CoarseWallFacet> coarse =
         WallThickness(surface, *options.sides, context).coarseFacets(options.maxSagShare, options.leastEdges);
-    if (!coarse.empty()) result.sagShare = affordableShare(coarse, surface.faces(), options);
+    WallLimits wanted(options, kept);
+    wanted.makeAffordable(coarse, static_cast<double>(facetCount(surface.faces())));
+    if (!coarse.empty()) result.sagShare = wanted.share();
     while (!coarse.empty()) {
-        const auto isFine = [&](const CoarseWallFacet& facet) {
-            return facet.longest <= wantedEdge(facet, result.sagShare, options.leastEdges);
-        };
         std::vector<CoarseWallFacet> split = coarse;
-        std::erase_if(split, isFine);
+        std::erase_if(split, [&](const CoarseWallFacet& facet) { return wanted.isFine(facet); });
         if (split.empty() || result.rounds >= kMostRounds) break;
         ++result.rounds;
         result.facetsSplit += split.size();

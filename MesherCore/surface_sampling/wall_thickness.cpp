@@ -61,27 +61,46 @@ bool doMeet(const Box3& a, const Box3& b)
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
+/// A facet may bulge between corners that have the same normals; this share of what its radius of curvature says is always counted.
+constexpr double kLeastSagShare = 0.25;
+
 struct FacetExtent
 {
     double longest = 0.0;
-    double radius = 0.0;
-    double size = 0.0;  ///< wanted, the least
+    double sag = 0.0;
+    double chordSag = 0.0;
+    double size = 0.0;       ///< wanted, the least
+    bool isBeneath = false;  ///< the chords lie on the side that normals point away from
 
     FacetExtent(const FaceMesh& mesh, const FaceTriangle& record)
         : longest(std::sqrt(FacetShape::of(mesh.position(record.v[0]), mesh.position(record.v[1]),
                                            mesh.position(record.v[2]))
                                 .longestSquared())),
-          radius(std::min({mesh.vertex(record.v[0]).curvatureRadius, mesh.vertex(record.v[1]).curvatureRadius,
-                           mesh.vertex(record.v[2]).curvatureRadius})),
           size(std::min(
               {mesh.vertex(record.v[0]).size, mesh.vertex(record.v[1]).size, mesh.vertex(record.v[2]).size}))
     {
+        double radius = std::numeric_limits<double>::infinity();
+        double diverging = 0.0;
+        for (unsigned k = 0; k < 3; ++k) {
+            const FaceVertex &a = mesh.vertex(record.v[nextCorner(k)]),
+                             &b = mesh.vertex(record.v[previousCorner(k)]);
+            radius = std::min(radius, a.curvatureRadius);
+            const Vec3 chord = b.position - a.position;
+            // The normals turn by this along the side, which is what its sag follows from, whatever it is in other directions.
+            chordSag = std::max(chordSag, 0.125 * length(chord) * length(b.normal - a.normal));
+            diverging += dot(b.normal - a.normal, chord);
+        }
+        const bool hasNormals = std::all_of(record.v.begin(), record.v.end(),
+                                            [&](VertexId v) { return mesh.vertex(v).normal != Vec3{}; });
+        sag = sagOf(longest, radius);
+        chordSag = hasNormals ? std::max(chordSag, kLeastSagShare * sag) : sag;
+        isBeneath = diverging > 0.0;
     }
     /// The thickness of wall below which the facet is too coarse.
     [[nodiscard]] double limit(double share, double leastEdges, double largestSize) const
     {
         if (longest < kLeastShare * std::min(size, largestSize)) return 0.0;
-        return std::min(sagOf(longest, radius) / share, longest / leastEdges);
+        return std::min(sag / share, longest / leastEdges);
     }
 };
 
@@ -134,7 +153,9 @@ void WallThickness::addCoarse(BrepFaceId f, std::size_t side, double share, doub
     std::vector<Wall> walls(reach.size());
     StepWatch watch(context_, kVerticesPerAsk);
     for (std::uint32_t v = 0; v < reach.size() && watch.mayGoOn(); ++v) {
-        if (reach[v] > 0.0) walls[v] = wallBehind(f, VertexId(v), side, reach[v]);
+        const FaceVertex& vertex = mesh.vertex(VertexId(v));
+        if (reach[v] > 0.0 && vertex.isAlive)
+            walls[v] = wallBehind({f, vertex.position, vertex.normal, vertex.node}, side, reach[v]);
     }
     for (std::uint32_t i = 0; i < mesh.triangleSlots(); ++i) {
         const FaceTriangle& record = mesh.triangle(TriangleId(i));
@@ -149,7 +170,8 @@ void WallThickness::addCoarse(BrepFaceId f, std::size_t side, double share, doub
         const Vec3 normal = cross(mesh.position(record.v[1]) - mesh.position(record.v[0]),
                                   mesh.position(record.v[2]) - mesh.position(record.v[0]));
         coarse.push_back({f, TriangleId(i), walls[record.v[0].value].across, least, extent.longest,
-                          sagOf(extent.longest, extent.radius), extent.radius, 0.5 * length(normal)});
+                          extent.sag, extent.chordSag, 0.5 * length(normal), sides_[f][side],
+                          extent.isBeneath == (side == 1)});
     }
 }
 
@@ -176,30 +198,31 @@ std::vector<FacetId> WallThickness::facetsNear(const Vec3& from, const Vec3& to)
     return near;
 }
 
-/// The nearest surface of a face that looks at the vertex from across the region on its side.
-WallThickness::Wall WallThickness::wallBehind(BrepFaceId f, VertexId v, std::size_t side, double reach) const
+/// The nearest surface of a face that looks at the point from across the region on its side.
+WallThickness::Wall WallThickness::wallBehind(const Probe& probe, std::size_t side, double reach) const
 {
-    const FaceVertex& vertex = surface_.faces().face(f)->mesh.vertex(v);
-    if (!vertex.isAlive || vertex.normal == Vec3{}) return {};
+    if (probe.normal == Vec3{}) return {};
+    const BrepFaceId f = probe.face;
+    const bool isPlane = surface_.faces().face(f)->geometry.isPlane();
     const RegionId region = sides_[f][side];
-    const Vec3 inward = side == 0 ? vertex.normal : -1.0 * vertex.normal;
+    const Vec3 inward = side == 0 ? probe.normal : -1.0 * probe.normal;
     Wall wall;
-    for (const FacetId id : facetsNear(vertex.position, vertex.position + reach * inward)) {
+    for (const FacetId id : facetsNear(probe.position, probe.position + reach * inward)) {
         const SurfaceFacet& facet = surface_.mesh().facets[id];
         const auto& behind = sides_[facet.face];
         if (behind[0] != region && behind[1] != region) continue;
-        if (facet.face == f &&
-            std::find(facet.node.begin(), facet.node.end(), vertex.node) != facet.node.end())
-            continue;
+        const bool isOwn = facet.face == f && (isPlane || std::find(facet.node.begin(), facet.node.end(),
+                                                                    probe.node) != facet.node.end());
+        if (isOwn) continue;
         // Closed forms and Newton steps alike need no better seed: facets follow their surface.
         const SurfaceFacts foot =
-            surface_.faces().face(facet.face)->geometry.projected(vertex.position, facet.parameters[0]);
-        const Vec3 across = foot.position - vertex.position;
+            surface_.faces().face(facet.face)->geometry.projected(probe.position, facet.parameters[0]);
+        const Vec3 across = foot.position - probe.position;
         const double distance = length(across);
         if (!(distance > kOwnPlace * reach && distance <= reach) || dot(across, inward) < kFacing * distance)
             continue;
         const double cosine = dot(across, foot.normal) / distance;
-        // What looks at the vertex is the side that du x dv points into where that is against the way across.
+        // What looks at the point is the side that du x dv points into where that is against the way across.
         if (std::abs(cosine) < kFacing || behind[cosine < 0.0 ? 0 : 1] != region) continue;
         if (wall.thickness == 0.0 || distance < wall.thickness) wall = {distance, facet.face};
     }

@@ -19,8 +19,11 @@ struct CoarseWallFacet
     double thickness = 0.0;  ///< least at the corners, model units
     double longest = 0.0;    ///< of its edges, model units
     double sag = 0.0;        ///< about how far it is from its surface, model units
-    double radius = 0.0;     ///< least of curvature at the corners, model units
+    double chordSag =
+        0.0;  ///< the same by its sides alone, along which the surface may turn less than it does elsewhere
     double area = 0.0;
+    RegionId region;
+    bool isInWall = false;  ///< the chords of its sides are in the wall, and eat its thickness
 };
 
 /// Measures the walls of solids at the vertices of curved faces, on the exact surfaces: facets may be further from these than the
@@ -39,18 +42,27 @@ public:
     /// that, by face and triangle.
     [[nodiscard]] std::vector<CoarseWallFacet> coarseFacets(double share, double leastEdges) const;
 
-private:
-    /// What is behind a vertex on one side of its face.
+    /// What is behind a point on one side of its face.
     struct Wall
     {
         double thickness = 0.0;  ///< 0 for none
         BrepFaceId across;
     };
+    /// A point on the exact surface of a face.
+    struct Probe
+    {
+        BrepFaceId face;
+        Vec3 position;
+        Vec3 normal;  ///< along du x dv
+        NodeId node;  ///< invalid inside of facets
+    };
+    /// What of a solid is behind a point, up to `reach` from it.
+    [[nodiscard]] Wall wallBehind(const Probe& probe, std::size_t side, double reach) const;
 
+private:
     [[nodiscard]] std::vector<double> reachesIn(BrepFaceId f, double share, double leastEdges) const;
     void addCoarse(BrepFaceId f, std::size_t side, double share, double leastEdges,
                    std::vector<CoarseWallFacet>& coarse) const;
-    [[nodiscard]] Wall wallBehind(BrepFaceId f, VertexId v, std::size_t side, double reach) const;
     [[nodiscard]] std::vector<FacetId> facetsNear(const Vec3& from, const Vec3& to) const;
 
     const SampledSurface& surface_;

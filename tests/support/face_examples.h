@@ -47,6 +47,8 @@ public:
     [[nodiscard]] bool maySplit(SegmentId) const override { return false; }
     [[nodiscard]] bool isAtApex(SegmentId) const override { return false; }
     [[nodiscard]] bool spansSmallAngle(NodeId, NodeId) const override { return false; }
+    [[nodiscard]] BrepEdgeId edgeOf(SegmentId) const override { return {}; }
+    [[nodiscard]] double wholeLengthOf(SegmentId) const override { return 0.0; }
 };
 
 /// Over all facets, degrees.

@@ -21,7 +21,7 @@ __all__ = ["Cancelled", "Mesh", "MesherError", "MesherWarning", "MeshingError", 
 def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=None, min_size=None, curvature=0.0, sag=0.0,
          refinement=None, grading=1.0, local_sizes=None, size_distance=None, size_box=None, size_ball=None, size_formula=None,
          size_points=None, background=None, min_angle=30.0, max_turn=90.0, measure="q2", threshold=None,
-         max_dihedral=None, lambda_=None, improve=True, order=1, threads=1, max_elements=50_000_000, max_wall_elements=1_000_000, overlap="separate", timeout=None,
+         max_dihedral=None, lambda_=None, improve=True, order=1, threads=1, max_elements=50_000_000, max_wall_elements=None, overlap="separate", timeout=None,
          check=False):
     """Meshes a model: the path of a file (STEP, IGES, BREP), a Part.Shape, a document object that has a shape, or a Model.
 
@@ -51,7 +51,8 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
     order           1; elements of second order are not there yet
     threads         the mesh does not depend on them
     max_elements, timeout       limits; seconds
-    max_wall_elements           that thin walls may take; walls that take more get flat tetrahedra
+    max_wall_elements           that thin walls, gaps and cusps may take; those that take more get flat tetrahedra. None is about
+                    as many as the sizes ask for
     overlap         "separate": solids that overlap are meshed each for itself, with a warning; "refuse": they fail the run
     check           check the mesh as a whole before it is returned
 
@@ -74,7 +75,8 @@ def mesh(source, *, progress=None, heal=False, dimension=3, faces=None, size=Non
 
 
 def estimate(source, *, heal=False, progress=None, **options):
-    """What mesh(source, **options) is going to take, within a factor of 1.5 on ordinary parts: {"elements", "bytes", "seconds"}.
+    """What mesh(source, **options) is going to take, within a factor of 1.5 on ordinary parts: {"elements", "bytes", "seconds",
+    "at_least"}; with the last the shape may need far more.
 
     progress(stage, fraction) ends it by returning False, which raises Cancelled.
     """

@@ -20,6 +20,7 @@ class Estimate(TypedDict):
     elements: float
     bytes: float
     seconds: float
+    at_least: bool
 
 class MesherError(Exception):
     failures: list[Failure]
@@ -131,7 +132,7 @@ def mesh(
     order: Literal[1, 2] = 1,
     threads: int = 1,
     max_elements: int = 50_000_000,
-    max_wall_elements: int = 1_000_000,
+    max_wall_elements: Optional[int] = None,
     overlap: Literal["separate", "refuse"] = "separate",
     timeout: Optional[float] = None,
     check: bool = False,

@@ -38,7 +38,7 @@ _PROPERTIES = (
     ("App::PropertyBool", "HealShape", "Run", "Let the CAD kernel repair the shape first", False),
     ("App::PropertyBool", "CheckMesh", "Run", "Check the mesh as a whole before it is taken over", False),
     ("App::PropertyInteger", "MaxElements", "Run", "The run ends there", 50_000_000),
-    ("App::PropertyInteger", "MaxWallElements", "Run", "That thin walls may take", 1_000_000),
+    ("App::PropertyInteger", "MaxWallElements", "Run", "That thin walls, gaps and cusps may take; -1 is about as many as the sizes ask for", -1),
     ("App::PropertyFloat", "Timeout", "Run", "Seconds after which the run ends; 0 is no limit", 0.0),
     ("App::PropertyString", "Report", "Result", "What the last run did, as JSON", ""),
     ("App::PropertyInteger", "NodeCount", "Result", "Nodes of the mesh", 0),

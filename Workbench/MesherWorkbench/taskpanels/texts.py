@@ -7,7 +7,9 @@ from ..messages import translated
 
 def estimate_text(estimate, is_volume):
     kind = translated("tetrahedra") if is_volume else translated("triangles")
-    return translated("Expected: about {count} {kind}, {memory}, {time}").format(
+    expected = (translated("Expected: at least {count} {kind}, {memory}, {time}") if estimate["at_least"]
+                else translated("Expected: about {count} {kind}, {memory}, {time}"))
+    return expected.format(
         count=_rounded(estimate["elements"]), kind=kind, memory=_memory(estimate["bytes"]), time=_time(estimate["seconds"]))
 
 

@@ -86,7 +86,7 @@ def options_of(obj, shape):
         "overlap": obj.Overlap,
         "check": obj.CheckMesh,
         "max_elements": obj.MaxElements,
-        "max_wall_elements": obj.MaxWallElements,
+        "max_wall_elements": obj.MaxWallElements if obj.MaxWallElements >= 0 else None,
         "timeout": obj.Timeout or None,
     }
 

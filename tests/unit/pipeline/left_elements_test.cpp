@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kNoLimit = 50'000'000;
 
-MeshOutcome meshPlate(std::uint64_t maxWallElements, double thickness = 0.04,
+MeshOutcome meshPlate(std::optional<std::uint64_t> maxWallElements, double thickness = 0.04,
                       std::uint64_t maxElements = kNoLimit)
 {
     const Result<BrepModel> plate = makeBox({0.0, 0.0, 0.0}, {4.0, 4.0, thickness});
@@ -72,18 +73,35 @@ TEST(LeftElements, NameWhatTheyAreBesideWhereTheShapeAllowsOfNoBetterOnes)
     EXPECT_EQ(outcome.report.left.front().entities.front(), "Face5");
 }
 
-TEST(LeftElements, TellARimThatIsKeptFlatWhereGoodFacetsWouldTakeFarMoreThanTheWall)
+TEST(LeftElements, TellTheRimsOfAWallThatIsKeptFlatWithIt)
 {
     const MeshOutcome outcome = meshPlate(100'000, 0.001);
     EXPECT_EQ(outcome.report.status, MeshReport::Status::Done);
     ASSERT_TRUE(outcome.mesh.has_value());
     EXPECT_LT(outcome.mesh->tets.size(), 5000u);
-    ASSERT_EQ(outcome.report.warnings.size(), 2u);
-    EXPECT_NE(outcome.report.warnings.front().find(
-                  "the rim of a wall, Face1, Face2, Face3, Face4, down to 0.001 wide, is left with flat"),
-              std::string::npos)
-        << outcome.report.warnings.front();
-    EXPECT_NE(outcome.report.warnings.back().find("the wall between Face5 and Face6"), std::string::npos);
+    ASSERT_EQ(outcome.report.warnings.size(), 1u);
+    const std::string& warning = outcome.report.warnings.front();
+    EXPECT_NE(warning.find("the wall between Face5 and Face6"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("flat triangles on its rims Face1, Face2, Face3, Face4"), std::string::npos)
+        << warning;
+}
+
+/// The sizes ask for a few hundred tetrahedra, good ones would be 46,000.
+TEST(LeftElements, KeepWallsFlatByDefaultThatTakeFarMoreThanTheSizesAskFor)
+{
+    const MeshOutcome outcome = meshPlate(std::nullopt);
+    ASSERT_TRUE(outcome.mesh.has_value());
+    EXPECT_LT(outcome.mesh->tets.size(), 3000u);
+    ASSERT_EQ(outcome.report.warnings.size(), 1u);
+    const std::string& warning = outcome.report.warnings.front();
+    const std::string option = "--max-wall-elements ";
+    const std::size_t at = warning.find(option);
+    ASSERT_NE(at, std::string::npos) << warning;
+    // What the warning proposes is enough.
+    const MeshOutcome good = meshPlate(std::stoull(warning.substr(at + option.size())));
+    EXPECT_TRUE(good.report.warnings.empty());
+    ASSERT_TRUE(good.report.tetQuality.has_value());
+    EXPECT_GE(good.report.tetQuality->dihedral.least(), 18.0);
 }
 
 TEST(LeftElements, NameTheWallThatTakesMoreThanTheLimitEvenWithFlatOnes)

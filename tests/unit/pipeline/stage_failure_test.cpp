@@ -114,7 +114,8 @@ TEST(StageFailure, ASurfaceThatFailsEndsTheRunByNameWheneverItDoes)
 
 TEST(StageFailure, ASurfaceThatFailsEndsTheEstimateByName)
 {
-    const Result<MeshEstimate> estimate = estimateModel(TiringModel(3).model, coarse(), nullptr);
+    RunContext context;
+    const Result<MeshEstimate> estimate = estimateModel(TiringModel(3).model, coarse(), nullptr, context);
     ASSERT_FALSE(estimate);
     EXPECT_EQ(estimate.error().entity, "Face1");
 }

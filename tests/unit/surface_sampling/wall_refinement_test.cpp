@@ -80,15 +80,15 @@ TEST(WallRefinement, MakesFacetsFollowAThinShellCloselyForItsThickness)
     EXPECT_NEAR(volumeOf(result.surface->mesh()), exact, 0.02 * exact);
 }
 
-TEST(WallRefinement, KeepsToItsFacetsAndTellsHowCoarseTheWallStays)
+TEST(WallRefinement, KeepsAWallThatTakesTooMuchCoarseAndTellsHowCoarse)
 {
     const HollowSphere sphere;
     WallRefinementOptions walls;
-    walls.maxFacets = 1000.0;
+    walls.maxTets = 1000.0;
     const SurfaceSample result = sample(sphere, walls);
     EXPECT_EQ(result.stopReason, StopReason::Done);
     EXPECT_LT(result.counts.facets, 2000u);
-    EXPECT_GT(result.counts.walls.sagShare, walls.maxSagShare);
+    EXPECT_TRUE(result.counts.certificate.errors.empty());
     ASSERT_EQ(result.counts.walls.left.size(), 1u);
     const CoarseWall& wall = result.counts.walls.left.front();
     EXPECT_EQ(wall.face, (std::array{BrepFaceId(0u), BrepFaceId(1u)}));
