@@ -29,6 +29,8 @@ struct FlatWallFacet
 {
     FacetId facet;
     WallSides sides;
+    double thickness = 0.0;  ///< of the wall behind the middle of the facet, model units
+    Vec3 middle;             ///< model units
 };
 
 }  // namespace mesher

@@ -85,8 +85,13 @@ bool ThinWalls::addFlatSides(TetFace face, std::span<const FlatWallFacet> flat)
     for (; at != flat.end() && at->facet == *facet; ++at) {
         if (at->sides.region != region) continue;
         const std::uint32_t between = wallBetween(at->sides.face[0], at->sides.face[1], region);
-        walls_[between].isAsked = true;
-        walls_[between].facets += 1.0;
+        ThinWall& wall = walls_[between];
+        wall.isAsked = true;
+        wall.facets += 1.0;
+        if (wall.thickness == 0.0 || at->thickness < wall.thickness) {
+            wall.thickness = at->thickness;
+            wall.place = at->middle;
+        }
         sides_.push_back({face, between});
         return true;
     }

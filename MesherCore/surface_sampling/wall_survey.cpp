@@ -256,13 +256,14 @@ std::vector<FlatWallFacet> facetsOnWalls(const SampledSurface& surface, const Re
         const SampledFace& face = *surface.faces().face(facet.face);
         const TriangleId t = surface.triangleOf(FacetId(i));
         const Corners corner = cornersOf(face.mesh, t);
+        const Vec3 middle = centroidOf(corner);
         for (const std::size_t side : {0u, 1u}) {
             if (sides[facet.face][side].value == 0) continue;
-            const WallThickness::Wall wall =
-                wallAt(thickness, face, t, side, centroidOf(corner), longestOf(corner));
+            const WallThickness::Wall wall = wallAt(thickness, face, t, side, middle, longestOf(corner));
             if (wall.thickness == 0.0) continue;
             const WallSides between = WallSides::of(facet.face, wall.across, sides[facet.face][side]);
-            if (std::binary_search(kept.begin(), kept.end(), between)) found.push_back({FacetId(i), between});
+            if (std::binary_search(kept.begin(), kept.end(), between))
+                found.push_back({FacetId(i), between, wall.thickness, middle});
         }
     }
     return found;

@@ -18,8 +18,9 @@ public:
 
     Result<void> run()
     {
-        if (auto inserted = insertVertices(); !inserted) return inserted;
-        if (auto constrained = constrainEdges(); !constrained) return constrained;
+        // What has ended the run leaves vertices and edges out that the next step counts on.
+        if (auto inserted = insertVertices(); !inserted || isStopped_) return inserted;
+        if (auto constrained = constrainEdges(); !constrained || isStopped_) return constrained;
         return classify();
     }
 
@@ -31,7 +32,8 @@ private:
         for (const BoundaryVertex& vertex : t_.boundary.vertices) points.push_back(vertex.position);
         auto inserted = t_.delaunay.insertPoints(points, &context_);
         if (!inserted) return inserted.error();
-        if (inserted->stopReason != StopReason::Done) return {};
+        isStopped_ = inserted->stopReason != StopReason::Done;
+        if (isStopped_) return {};
         for (std::uint32_t i = 0; i < points.size(); ++i) {
             const VertexId v = inserted->vertices[i];
             if (t_.mesh().origin(v) != VertexOrigin::Unset) return coincidence(BoundaryVertexId(i), v);
@@ -53,7 +55,8 @@ private:
         for (std::uint32_t i = 0; i < t_.boundary.subcurves.size(); ++i) {
             const SubcurveId s(i);
             if (!t_.boundary.subcurves[s].isAlive) continue;
-            if (!context_.mayGoOn()) return {};
+            isStopped_ = !context_.mayGoOn();
+            if (isStopped_) return {};
             auto recovered = t_.delaunay.recoverSegment(t_.firstVertex(s), t_.lastVertex(s));
             if (!recovered) return recovered.error();
             MESHER_INVARIANT(t_.delaunay.lastSegment().size() == 2);
@@ -134,6 +137,7 @@ private:
     RunContext& context_;
     PlanarTriangulation& t_;
     std::vector<TriangleId> stack_;
+    bool isStopped_ = false;
 };
 
 }  // namespace

@@ -273,7 +273,8 @@ private:
     void checkAngles()
     {
         if (!options_.isRefined || result_.stopReason != StopReason::Done) return;
-        const double bound = options_.refinement.minAngle;
+        const auto& unreachable = result_.refinement.unreachable;
+        const double bound = unreachable ? unreachable->kept : options_.refinement.minAngle;
         if (check_.angles.smallestElsewhere < bound - kAngleSlack) {
             add("an angle of " + std::to_string(check_.angles.smallestElsewhere) +
                 " degrees spans no small input angle");

@@ -118,13 +118,18 @@ TEST(LeftElements, NameTheWallThatTakesMoreThanTheLimitEvenWithFlatOnes)
 
 TEST(LeftElements, NameTheFaceWhoseTrianglesReachTheLimit)
 {
-    // Without a size it is the shape that makes more of them than the estimate knows.
-    MeshOptions options;
-    options.maxElements = 120;
-    RunContext context;
-    const MeshOutcome outcome = meshSolids(makeBox({}, {4.0, 4.0, 0.04}).value(), options, nullptr, context);
-    ASSERT_EQ(outcome.report.failures.size(), 1u);
-    EXPECT_EQ(outcome.report.failures.front().entity.substr(0, 4), "Face");
+    SurfaceMesh mesh;
+    for (const std::uint32_t face : {3u, 1u, 3u, 2u}) {
+        SurfaceFacet facet;
+        facet.face = BrepFaceId(face);
+        facet.node = {NodeId(0), NodeId(1), NodeId(2)};
+        mesh.facets.push_back(facet);
+    }
+    MeshReport report;
+    report.failures.push_back({ErrorCode::OutOfRange, "the limit of 3 elements is reached", "model", {}, ""});
+    nameFaceOverLimit(mesh, report);
+    EXPECT_EQ(report.failures.front().entity, "Face4");
+    EXPECT_NE(report.failures.front().message.find("triangles on the faces alone"), std::string::npos);
 }
 
 }  // namespace
