@@ -274,9 +274,11 @@ std::shared_ptr<const SizingField> featuresOf(const BrepModel& model, const Mesh
     if (!options.refinement || !sides) return nullptr;
     MeshOptions ofShape = options;
     ofShape.curvature = ofShape.sag = 0.0;
-    return featureSizes(model, *sides, samplingOfShape(ofShape), *options.refinement, options.grading,
-                        context)
-        .field;
+    SurfaceSamplingOptions sampling = samplingOfShape(ofShape);
+    sampling.walls.sides = &*sides;
+    sampling.walls.maxTets = wallBudgetOfFeatures(options);
+    sampling.walls.leastSize = options.minSize.value_or(0.0);
+    return featureSizes(model, *sides, sampling, *options.refinement, options.grading, context).field;
 }
 
 /// Those with a solid on one side only.
@@ -328,13 +330,6 @@ MeshEstimate leastOf(MeshEstimate forSizes)
     return forSizes;
 }
 
-/// Narrow, and to stay so.
-bool isOnFlatRim(const SampledSurface& surface, FacetId facet)
-{
-    const FaceMesh& mesh = surface.faces().face(surface.mesh().facets[facet].face)->mesh;
-    return mesh.triangle(surface.triangleOf(facet)).left == FacetLeft::Rim;
-}
-
 /// In walls that are as good as the run may make them, and in those that it keeps flat.
 double tetsInWalls(const std::vector<SurveyedWall>& walls)
 {
@@ -357,7 +352,7 @@ double tetsAtFineFacets(const SampledComponentSurface& sampled, const SizingFiel
     double tets = 0.0;
     for (std::uint32_t i = 0; i < mesh.facets.size(); ++i) {
         const SurfaceFacet& facet = mesh.facets[FacetId(i)];
-        if (!facet.isAlive() || isOnFlatRim(surface, FacetId(i))) continue;
+        if (!facet.isAlive() || surface.isOnFlatRim(FacetId(i))) continue;
         Vec3 middle;
         for (const NodeId node : facet.node) middle = middle + (1.0 / 3.0) * mesh.nodes[node].position;
         const double wanted = sizes != nullptr ? sizeAt(*sizes, largest, middle) : largest;

@@ -7,6 +7,7 @@
 #include "sizing/gradation.h"
 #include "sizing/size_bounds.h"
 #include "sizing/surface_size.h"
+#include "surface_sampling/wall_survey.h"
 #include "tetrahedralization/tetrahedralize.h"
 
 #include <algorithm>
@@ -21,11 +22,13 @@ namespace mesher {
 namespace {
 
 /// Of nodes, by their numbers; what the facets alone tell.
-std::vector<double> featuresOnFaces(const SurfaceMesh& mesh)
+std::vector<double> featuresOnFaces(const SampledSurface& surface)
 {
+    const SurfaceMesh& mesh = surface.mesh();
     std::vector<double> features(mesh.nodes.size(), kNoSize);
-    for (const SurfaceFacet& facet : mesh.facets) {
-        if (!facet.isAlive()) continue;
+    for (std::uint32_t f = 0; f < mesh.facets.size(); ++f) {
+        const SurfaceFacet& facet = mesh.facets[FacetId(f)];
+        if (!facet.isAlive() || surface.isOnFlatRim(FacetId(f))) continue;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3& p = mesh.nodes[facet.node[i]].position;
             const Vec3& a = mesh.nodes[facet.node[(i + 1) % 3]].position;
@@ -38,9 +41,10 @@ std::vector<double> featuresOnFaces(const SurfaceMesh& mesh)
     return features;
 }
 
-void lowerToSolids(const ConstrainedTetrahedralization& tets, std::vector<double>& features)
+void lowerToSolids(const ConstrainedTetrahedralization& tets, const ThinWalls& walls,
+                   std::vector<double>& features)
 {
-    const std::vector<double> inside = localFeatureSizes(tets.mesh());
+    const std::vector<double> inside = localFeatureSizes(tets.mesh(), &walls);
     for (std::uint32_t v = 0; v < inside.size() && v < tets.nodeOf.size(); ++v) {
         const NodeId node = tets.nodeOf[VertexId(v)];
         if (!node.isValid() || node.value >= features.size()) continue;
@@ -102,7 +106,7 @@ FeatureSizes featureSizes(const BrepModel& model, const RegionSides& sides,
     if (isOver(result.stopReason)) return result;
     std::vector<double> sizes;
     if (model.solids.empty()) {
-        sizes = featuresOnFaces(sample->surface->mesh());
+        sizes = featuresOnFaces(*sample->surface);
     } else {
         const Result<Tetrahedralization> made =
             tetrahedralize(*sample->surface, sides, TetrahedralizationOptions{}, own);
@@ -110,8 +114,11 @@ FeatureSizes featureSizes(const BrepModel& model, const RegionSides& sides,
         result.stopReason = made->stopReason;
         if (isOver(result.stopReason)) return result;
         if (!made->failures.empty()) return failed(made->failures.front());
-        sizes = featuresOnFaces(sample->surface->mesh());
-        lowerToSolids(made->tets, sizes);
+        sizes = featuresOnFaces(*sample->surface);
+        ThinWalls walls(made->tets);
+        walls.find(sample->surface->mesh(), shape.walls.maxTets,
+                   facetsOnWalls(*sample->surface, sides, keptOf(sample->counts.surveyedWalls), own));
+        lowerToSolids(made->tets, walls, sizes);
     }
     const SurfaceMesh& mesh = sample->surface->mesh();
     for (double& size : sizes) size *= kEdgeOfFeatureScale / refinement;

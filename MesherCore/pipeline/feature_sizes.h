@@ -23,6 +23,7 @@ struct FeatureSizes
 
 /// The local feature size over R on curves and faces, linear between the vertices of a mesh that is as coarse as the shape
 /// allows, growing by distance / G on them and off them. Which sizes the user asks for does not count: they are no features.
+/// Walls that are kept flat, as `shape.walls` says, are no features: nothing is to be as small as they are thick.
 /// Guarantees   sizes at R are R times smaller than at 1
 /// Requires     `shape` without sizes; sides of solids, or of none: then distances are those on the faces alone
 /// Cost         a coarse surface mesh and its tetrahedralization

@@ -9,6 +9,7 @@
 #include "pipeline/report_steps.h"
 #include "pipeline/stage_counts.h"
 #include "pipeline/stage_watch.h"
+#include "pipeline/wall_budget.h"
 #include "refinement/refine_volume.h"
 #include "sizing/combined_size.h"
 #include "surface_sampling/left_facets.h"
@@ -118,6 +119,9 @@ SurfaceSamplingOptions SolidRun::samplingOfShape() const
     sampling.curves.maxVariation = std::min(options_.maxTurn, sampling.curves.maxVariation);
     sampling.facets.minAngle = options_.minAngle;
     sampling.limits.maxElements = options_.maxElements;
+    sampling.walls.sides = &sides_;
+    sampling.walls.maxTets = maxWallTets_;
+    sampling.walls.leastSize = options_.minSize.value_or(0.0);
     return sampling;
 }
 
@@ -127,8 +131,10 @@ bool SolidRun::findFeatures()
     if (!options_.refinement) return true;
     context_.enterStage("features");
     const StageWatch watch;
+    SurfaceSamplingOptions sampling = samplingOfShape();
+    sampling.walls.maxTets = wallBudgetOfFeatures(options_);
     const FeatureSizes features =
-        featureSizes(model_, sides_, samplingOfShape(), *options_.refinement, options_.grading, context_);
+        featureSizes(model_, sides_, sampling, *options_.refinement, options_.grading, context_);
     watch.addTo(report(), "features");
     if (features.failure) return failed(*features.failure);
     if (!mayGoOn(features.stopReason)) return false;
@@ -148,9 +154,6 @@ bool SolidRun::sample()
     sampling.facets.maxSag = options_.sag;
     sampling.facets.sizes = sizes_.get();
     sampling.facets.leastCurvatureSize = options_.minSize.value_or(0.0);
-    sampling.walls.sides = &sides_;
-    sampling.walls.maxTets = maxWallTets_;
-    sampling.walls.leastSize = options_.minSize.value_or(0.0);
     context_.enterStage("surfaces");
     const StageWatch watch;
     Result<SurfaceSample> sampled = sampleSurface(model_, sampling, context_);

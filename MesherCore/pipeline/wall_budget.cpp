@@ -6,6 +6,9 @@ namespace mesher {
 
 namespace {
 
+/// Who asks for sizes by features wants them in walls as well, but not at any price.
+constexpr double kTetsForFeatures = 1e6;
+
 /// That walls may take however coarse the sizes are: what is over in a second.
 constexpr double kLeastTets = 5000.0;
 constexpr double kTetsForFaces = 1e6;
@@ -30,6 +33,14 @@ std::vector<double> wallBudgets(const std::vector<ModelComponent>& components, c
     for (const ModelComponent& component : components)
         budgets.push_back(area > 0.0 ? all * boxAreaOf(component.model) / area : all);
     return budgets;
+}
+
+double wallBudgetOfFeatures(const MeshOptions& options)
+{
+    const double refinement = options.refinement.value_or(1.0);
+    const double all =
+        options.maxWallElements ? static_cast<double>(*options.maxWallElements) : kTetsForFeatures;
+    return all / (refinement * refinement * refinement);
 }
 
 double wallBudgetOfFaces(const MeshOptions& options)

@@ -16,4 +16,8 @@ namespace mesher {
 /// The same for faces that are meshed for themselves, where a rim takes no tetrahedra.
 [[nodiscard]] double wallBudgetOfFaces(const MeshOptions& options);
 
+/// What walls may take that are features, where sizes by local features are asked for: in tetrahedra as large as the wall is thick,
+/// of which a refinement R makes R^3 each. Walls that take more are no features.
+[[nodiscard]] double wallBudgetOfFeatures(const MeshOptions& options);
+
 }  // namespace mesher

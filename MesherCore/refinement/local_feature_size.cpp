@@ -60,11 +60,12 @@ void lowerToLocalFeatures(const Triangulation3d& mesh, TetId tet, std::vector<do
 
 }  // namespace
 
-std::vector<double> localFeatureSizes(const Triangulation3d& mesh)
+std::vector<double> localFeatureSizes(const Triangulation3d& mesh, const ThinWalls* walls)
 {
     std::vector<double> lfs(mesh.vertexLimit(), kNoSize);
     for (std::uint32_t i = 0; i < mesh.tetLimit(); ++i) {
-        if (isMeshed(mesh, TetId(i))) lowerToLocalFeatures(mesh, TetId(i), lfs);
+        const bool isInWall = walls != nullptr && walls->isInKept(TetId(i));
+        if (!isInWall && isMeshed(mesh, TetId(i))) lowerToLocalFeatures(mesh, TetId(i), lfs);
     }
     return lfs;
 }

@@ -318,4 +318,9 @@ std::array<FacetId, 2> SampledSurface::swap(FacetId first, FacetId second)
     return added;
 }
 
+bool SampledSurface::isOnFlatRim(FacetId facet) const
+{
+    return faces().face(mesh().facets[facet].face)->mesh.triangle(triangleOf(facet)).left == FacetLeft::Rim;
+}
+
 }  // namespace mesher

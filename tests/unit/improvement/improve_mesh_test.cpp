@@ -146,7 +146,9 @@ TEST(ImproveMesh, EndsWithASoundMeshWhenCancelled)
     const ClassifiedMesh before = refinedMesh(example);
     ClassifiedMesh after = before;
     int reports = 0;
-    RunContext context({.progress = [&](std::string_view, double) { return ++reports < 20; }, .log = {}});
+    RunSettings settings;
+    settings.progress = [&](std::string_view, double) { return ++reports < 20; };
+    RunContext context(settings);
     const Result<Improvement> result = improveMesh(after, example.model, {}, context);
     ASSERT_TRUE(result);
     EXPECT_EQ(result->stopReason, StopReason::Cancelled);

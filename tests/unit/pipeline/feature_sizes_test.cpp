@@ -112,6 +112,18 @@ TEST(FeatureSizes, AskForNoMoreVerticesThanTheRulesOfTheThesis)
     }
 }
 
+TEST(FeatureSizes, AreNotTheThicknessOfWallsThatAreKeptFlat)
+{
+    const auto countOf = [](double thickness, std::optional<std::uint64_t> most) {
+        MeshOptions options = atRefinement(2.0);
+        options.maxWallElements = most;
+        return meshOf(*makeBox({}, {10.0, 6.0, thickness}), options).tets.size();
+    };
+    EXPECT_LT(countOf(0.01, {}), 1000U);  // 20 million good ones
+    EXPECT_GT(countOf(0.5, {}), 5000U);
+    EXPECT_LT(countOf(0.5, 0), 1000U);
+}
+
 TEST(FeatureSizes, OfAUsersSizeAreNone)
 {
     const BrepModel model = *makeBox({}, {4.0, 4.0, 4.0});
