@@ -46,7 +46,7 @@ void BoundaryQueue3d::pushFacets()
 {
     const SurfaceMesh& surface = state_.splitter.mesh();
     for (std::uint32_t i = 0; i < surface.facets.size(); ++i) {
-        if (surface.facets[FacetId(i)].isAlive() && state_.criteria.isTooLarge(state_.cornersOf(FacetId(i))))
+        if (surface.facets[FacetId(i)].isAlive() && state_.isTooLarge(state_.cornersOf(FacetId(i))))
             pushFacet(FacetId(i));
     }
     for (std::uint32_t i = 0; i < state_.mesh.tetLimit(); ++i) pushEncroachedAt(TetId(i));
@@ -88,7 +88,7 @@ std::optional<ProtectingBall> BoundaryQueue3d::ballOf(FacetId facet) const
 bool BoundaryQueue3d::isTooLong(SegmentId segment) const
 {
     const auto& ends = state_.splitter.mesh().segments[segment].node;
-    return state_.criteria.isTooLong(state_.t.vertexOf[ends[0]], state_.t.vertexOf[ends[1]]);
+    return state_.isTooLong(state_.t.vertexOf[ends[0]], state_.t.vertexOf[ends[1]]);
 }
 
 void BoundaryQueue3d::pushEncroachedAt(TetId tet)
@@ -142,7 +142,7 @@ void BoundaryQueue3d::serveSegment()
     const double span = length(state_.mesh.position(b) - state_.mesh.position(a));
     const bool maySplit = state_.maySplit(a, b) && state_.walls.maySplit(std::array{a, b}, span);
     const bool isAllowed =
-        (state_.criteria.isTooLong(a, b) || (maySplit && !gaps_.isBeside(segment))) && span > 2.0 * floor();
+        (state_.isTooLong(a, b) || (maySplit && !gaps_.isBeside(segment))) && span > 2.0 * floor();
     if (isAllowed) {
         const BoundarySplit3d split = splitter_.splitSegment(segment);
         if (split.outcome == SplitOutcome3d::Split) {
@@ -167,8 +167,8 @@ void BoundaryQueue3d::serveFacet()
         return state_.maySplit(corners) && !gaps_.isInside(corners) &&
                state_.walls.maySplit(corners, 2.0 * std::sqrt(ball->squaredRadius));
     };
-    const bool isAllowed = ball && (state_.criteria.isTooLarge(corners) || maySplit()) &&
-                           ball->squaredRadius > floor() * floor();
+    const bool isAllowed =
+        ball && (state_.isTooLarge(corners) || maySplit()) && ball->squaredRadius > floor() * floor();
     const EntityRef entity = state_.entityOf(facet);
     const bool isServed = isAllowed && trySplit(facet);
     // Splits are charged too: the vertices that they make stand against it, not those that come and go.
@@ -253,7 +253,7 @@ void BoundaryQueue3d::finishSplit(const BoundarySplit3d& split)
         if (half.isValid() && isTooLong(half)) pushSegment(half);
     }
     for (const FacetId facet : made.added) {
-        if (state_.criteria.isTooLarge(state_.cornersOf(facet))) pushFacet(facet);
+        if (state_.isTooLarge(state_.cornersOf(facet))) pushFacet(facet);
     }
     // The cavity need not be that of the Delaunay property alone: its surface had to keep, and to give way, as the facets do.
     const std::vector<TetId>& flipped = state_.flipAround(splitter_.created());

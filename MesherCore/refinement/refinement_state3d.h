@@ -70,6 +70,15 @@ struct RefinementState3d
     }
     /// The small angle that a tetrahedron is beside: about as far as refinement for it spreads. Needs SmallAngleGuard::collectPlaces.
     [[nodiscard]] std::optional<SmallInputAngle> smallAngleNear(TetId tet) const;
+    /// By the length scale. On walls that are kept flat facets are as long as they may be, whatever is beside the walls.
+    [[nodiscard]] bool isTooLarge(const std::array<VertexId, 3>& facet) const
+    {
+        return criteria.isTooLarge(facet) && !walls.isOnKept(facet);
+    }
+    [[nodiscard]] bool isTooLong(VertexId a, VertexId b) const
+    {
+        return criteria.isTooLong(a, b) && !walls.isOnKept(std::array{a, b});
+    }
     [[nodiscard]] EntityRef entityOf(FacetId facet) const
     {
         return {2, splitter.mesh().facets[facet].face.value};

@@ -48,6 +48,12 @@ public:
     {
         return hasKept_ && shareOf(t_.mesh().tet(tet).vertex) > 2.0F && isOnItsSide(tet);
     }
+    /// Whether all corners of an entity of the boundary are on kept walls, where it has the size wanted from the start.
+    [[nodiscard]] bool isOnKept(std::span<const VertexId> corners) const
+    {
+        constexpr float kOn = 0.99F;
+        return hasKept_ && shareOf(corners) >= kOn * static_cast<float>(corners.size());
+    }
     /// Whether an entity of the boundary may be split for quality: `size` is its length, or the diameter of its circle.
     [[nodiscard]] bool maySplit(std::span<const VertexId> corners, double size) const;
     /// The kept wall that the tetrahedron is in or beside, or none.
