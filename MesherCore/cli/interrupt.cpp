@@ -88,8 +88,10 @@ InterruptScope::InterruptScope(RunContext& context)
 
 InterruptScope::~InterruptScope()
 {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    // The status of a supervised run is decided: a signal on its way out must not make it look cancelled.
+    const auto after = isSupervised() ? SIG_IGN : SIG_DFL;
+    std::signal(SIGINT, after);
+    std::signal(SIGTERM, after);
     activeContext.store(nullptr);
     activePhase.store(Phase::Immediate);
     delete lastWords.exchange(nullptr);

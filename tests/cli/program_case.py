@@ -9,6 +9,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+# Whether the program is built with sanitizers.
+SANITIZED = "MESHER_SANITIZED" in os.environ
 PROGRAM, DATA = (Path(word).resolve() for word in sys.argv[1:3])
 
 

@@ -8,9 +8,10 @@ import os
 import signal
 import subprocess
 import time
+import unittest
 from pathlib import Path
 
-from program_case import DATA, PROGRAM, Case, run_tests
+from program_case import DATA, PROGRAM, SANITIZED, Case, run_tests
 
 PATIENCE = 60  # seconds
 
@@ -45,6 +46,7 @@ class TestSupervision(Case):
         self.assertRegex(said, pattern)
         self.assertNotIn("m.msh", os.listdir(self.folder))
 
+    @unittest.skipIf(SANITIZED, "sanitizers tell crashes themselves")
     def test_a_crash_is_told_with_its_stage_and_in_the_report(self):
         waiting, run = self.start()
         os.kill(run, signal.SIGSEGV)
