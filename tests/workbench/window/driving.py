@@ -40,8 +40,15 @@ def pump(seconds, until=lambda: False):
     return longest
 
 
-def find(kind, name):
-    found = [w for w in FreeCADGui.getMainWindow().findChildren(kind) if w.objectName() == name and w.isVisible()]
+def find(kind, name, seconds=10.0):
+    """The one visible widget of that name, as soon as it is there: a slow machine shows it later."""
+    found = []
+
+    def look():
+        found[:] = [w for w in FreeCADGui.getMainWindow().findChildren(kind) if w.objectName() == name and w.isVisible()]
+        return found
+
+    pump(0.0 if look() else seconds, look)
     assert len(found) == 1, f"{len(found)} visible {name}"
     return found[0]
 
@@ -67,9 +74,22 @@ def take_picture(path):
     QtGui.QApplication.primaryScreen().grabWindow(0).save(path)
 
 
-def press(button):
-    box = [b for b in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox) if b.isVisible()][0]
-    box.button(button).click()
+def visible_buttons(word):
+    """The buttons of task panels that say this word. Qt is asked what each object is, and not Python: PySide gives an object the type
+    of another one that lay at the same address before, if it was not told of the end of that one."""
+    def is_meant(thing):
+        return (thing.inherits("QPushButton") and thing.property("visible") and thing.property("text").replace("&", "") == word
+                and thing.parent().inherits("QDialogButtonBox"))
+
+    return [thing for thing in FreeCADGui.getMainWindow().findChildren(QtCore.QObject) if is_meant(thing)]
+
+
+def press(word, seconds=10.0):
+    """The button of the task panel that says this word, as soon as it is there."""
+    pump(seconds, lambda: visible_buttons(word))
+    buttons = visible_buttons(word)
+    assert len(buttons) == 1, f"{len(buttons)} visible buttons {word}"
+    QtCore.QMetaObject.invokeMethod(buttons[0], "click")
     pump(0.3)
 
 
