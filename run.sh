@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the release programs into build/release/bin, meshes a model and draws it.
-#   ./run.sh                       the solid bracket and the plane gasket of Resources/demos, then the Delaunay kernel beside CGAL
+#   ./run.sh                       the solid bracket and the plane gasket of Resources/demos, then the Delaunay kernel alone
 #   ./run.sh MODEL [options]       a model of one's own; options of `mesher mesh`, see build/release/bin/mesher --help
 #   ./run.sh --gui                 the bracket in FreeCAD, with the workbench
 # Meshes (.msh, .vtu, .inp), report (.json) and picture (.png) go to build/demo.
@@ -29,12 +29,8 @@ open_workbench() {
         echo "run.sh: there is no display to open FreeCAD on; log in to a desktop or set DISPLAY" >&2
         exit 1
     fi
-    if ! command -v freecad >/dev/null; then
-        echo "run.sh: FreeCAD is not installed; install the package freecad" >&2
-        exit 1
-    fi
-    tools/setup.sh
-    tools/build.sh release
+    tools/setup.sh build workbench --optional solver
+    tools/build.sh release mesher_bindings mesher_gui
     echo "the bracket is selected: menu Mesher, Mesh solid"
     MESHER_MODEL="$PWD/Resources/demos/bracket.step" exec freecad "$PWD/tools/open_in_workbench.FCMacro" \
         -M "$PWD/build/release/Mod/Mesher"
@@ -63,18 +59,17 @@ if [[ -z $model ]]; then
     esac
 fi
 
-tools/setup.sh
-tools/build.sh release
-
 if [[ -n $model ]]; then
+    tools/setup.sh build workbench
+    tools/build.sh release mesher
     mesh_and_draw "$model" "$@"
     exit 0
 fi
+tools/setup.sh build workbench --optional solver
+tools/build.sh release mesher mesher_bindings mesher_gui triangulate_points
 mesh_and_draw Resources/demos/bracket.step --size 4 --curvature 16 --check
 mesh_and_draw Resources/demos/gasket.brep --dimension 2 --size 4 --curvature 48 --local-size Face2=1.2 --check
 echo "the Delaunay kernel alone, on random points:"
 build/release/bin/triangulate_points
-echo "the same kernel beside CGAL, on 200,000 points of a cube and of a torus (user CPU seconds):"
-build/release/bin/compare_delaunay --points 200000 --dimension 3 --programs mesher,cgal --repeats 1
 echo
 echo "meshes, reports and pictures are in build/demo; next: ./run.sh --gui for FreeCAD, tools/package.sh for a package to install"

@@ -8,7 +8,7 @@ presets=("$@")
 
 export LSAN_OPTIONS="suppressions=$PWD/tools/lsan_suppressions.txt:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
 
-tools/setup.sh
+tools/setup.sh build workbench package tests --optional solver peers checks
 failed=()
 for preset in "${presets[@]}"; do
     echo "=== $preset: build"

@@ -19,4 +19,5 @@ if ! cmake --preset "$preset" >"$log" 2>&1; then
     cat "$log" >&2
     exit 1
 fi
+sed -n 's/^-- Left out: /build: left out: /p' "$log"
 cmake --build --preset "$preset" "${targets[@]}" -- --quiet
