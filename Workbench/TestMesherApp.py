@@ -29,6 +29,23 @@ def _volume_of(fem_mesh):
     return total
 
 
+def _read_inp(path):
+    """Nodes by number, and the nodes of each tetrahedron, of a file for CalculiX."""
+    nodes, tets, taken = {}, [], ""
+    with open(path) as file:
+        for line in file:
+            if line.startswith("*"):
+                taken = line.upper()
+            elif not line.strip():
+                continue
+            elif taken.startswith("*NODE"):
+                number, *place = line.split(",")
+                nodes[int(number)] = FreeCAD.Vector(*map(float, place))
+            elif "TYPE=C3D4" in taken:
+                tets.append([int(number) for number in line.split(",")[1:5]])
+    return nodes, tets
+
+
 class _DocumentTest(unittest.TestCase):
     def setUp(self):
         self.document = FreeCAD.newDocument("TestMesher")
@@ -168,6 +185,57 @@ class MeshObject(_DocumentTest):
             plate.Shape.exportBrep(path)
             self.assertEqual(mesher.mesh(path, size=0.5, dimension=2).hash,
                              mesher.mesh(plate, size=0.5, dimension=2).hash)
+
+
+class PartAndShape(_DocumentTest):
+    """FEM calls the meshed object Part up to FreeCAD 0.21, and Shape from 1.0 on."""
+
+    def setUp(self):
+        super().setUp()
+        self.box, self.other = (self.document.addObject("Part::Box", name) for name in ("Box", "Other"))
+        self.document.recompute()
+        self.mesh = make_mesh(self.box, size=5.0)
+
+    def test_both_are_there(self):
+        self.assertEqual((self.mesh.Part, self.mesh.Shape), (self.box, self.box))
+        self.assertNotIn("Touched", self.mesh.State)
+
+    def test_either_sets_the_other(self):
+        self.mesh.Shape = self.other
+        self.assertEqual(self.mesh.Part, self.other)
+        self.mesh.Part = self.box
+        self.assertEqual(self.mesh.Shape, self.box)
+
+    def test_undo_and_redo(self):
+        self.document.openTransaction("other part")
+        self.mesh.Shape = self.other
+        self.document.commitTransaction()
+        self.document.undo()
+        self.assertEqual((self.mesh.Part, self.mesh.Shape), (self.box, self.box))
+        self.document.redo()
+        self.assertEqual((self.mesh.Part, self.mesh.Shape), (self.other, self.other))
+
+    def test_deleted_part(self):
+        self.document.removeObject("Box")
+        self.assertEqual((self.mesh.Part, self.mesh.Shape), (None, None))
+
+    def test_documents_of_versions_with_a_part_only(self):
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "old.FCStd")
+            name = self.mesh.Name
+            self.mesh.removeProperty("Shape")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+            mesh = self.document.getObject(name)
+            self.assertEqual(mesh.Shape, self.document.getObject("Box"))
+            self.assertNotIn("Touched", mesh.State)
+            mesh.Part = self.document.getObject("Other")
+            self.assertEqual(mesh.Shape, mesh.Part)
+
+    def test_a_mesh_is_no_shape(self):
+        with self.assertRaises(TypeError):
+            make_mesh(self.mesh)
 
 
 class Refusals(_DocumentTest):
@@ -311,6 +379,22 @@ class Solids(_DocumentTest):
         for element in mesh.Volumes:
             a, b, c, d = (mesh.getNodeById(n) for n in mesh.getElementNodes(element))
             self.assertLess((b - a).cross(c - a).dot(d - a), 0.0)
+
+    def test_solvers_get_positive_elements(self):
+        fem_mesh = make_mesh(self._feature(Part.makeBox(1, 1, 1)), size=0.5).FemMesh
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "mesh.inp")
+            fem_mesh.write(path)
+            nodes, tets = _read_inp(path)
+        self.assertEqual(len(tets), fem_mesh.TetraCount)
+        for a, b, c, d in ((nodes[n] for n in tet) for tet in tets):
+            self.assertGreater((b - a).cross(c - a).dot(d - a), 0.0)
+
+    def test_triangles_look_outward(self):
+        fem_mesh = make_mesh(self._feature(Part.makeBox(2, 2, 2)), size=1.0).FemMesh
+        for element in fem_mesh.Faces:
+            a, b, c = (fem_mesh.getNodeById(n) for n in fem_mesh.getElementNodes(element))
+            self.assertGreater((b - a).cross(c - a).dot(a - FreeCAD.Vector(1, 1, 1)), 0.0)
 
     def test_same_mesh_as_from_a_file(self):
         # A file has fifteen digits, a shape seventeen: the shape is the one that the file gives.

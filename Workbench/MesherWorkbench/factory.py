@@ -2,6 +2,7 @@
 import os
 
 import FreeCAD
+import Part
 
 import mesher
 
@@ -118,6 +119,6 @@ def _part_and_names(source):
         return part, list(names)
     if hasattr(source, "SubElementNames"):
         return source.Object, [name for name in source.SubElementNames if name.startswith("Face")]
-    if not hasattr(source, "Shape"):
+    if not isinstance(getattr(source, "Shape", None), Part.Shape):
         raise TypeError(f"{getattr(source, 'Label', type(source).__name__)} has no shape that could be meshed")
     return source, []

@@ -1,4 +1,5 @@
 """Meshes as FreeCAD's FEM workbench holds them."""
+import functools
 import os
 import tempfile
 
@@ -7,19 +8,17 @@ import numpy
 from .model_argument import memory_directory
 
 _VTK_TRIANGLE, _VTK_TET = 5, 10
+# Corners of an element in the order in which FreeCAD keeps them, and takes them from for its view and for solvers. Tetrahedra stand the
+# other way round there than in our meshes, VTK and CalculiX.
+_KEPT = {_VTK_TRIANGLE: (0, 1, 2), _VTK_TET: (1, 0, 2, 3)}
 
 
 def to_fem_mesh(mesh, lines=False, names=None):
     """A Fem.FemMesh of the mesh with the groups Face1, Solid1 and so on (and Edge1 if `lines` are wanted, which some solvers'
     writers take for beams). Nodes count from 1 in the mesh's order, and so do triangles, tetrahedra and lines in turn.
     `names` calls groups by other names: {"Face1": "Face6"}."""
-    import Fem
-
-    fem_mesh = Fem.FemMesh()
-    with tempfile.TemporaryDirectory(dir=memory_directory()) as directory:
-        path = os.path.join(directory, "mesh.vtk")
-        _write_legacy_vtk(mesh, path)
-        fem_mesh.read(path)
+    fem_mesh = _read(mesh.nodes, [(kind, corners[:, list(_order_in_file(kind))]) for kind, corners in
+                                  ((_VTK_TRIANGLE, mesh.triangles), (_VTK_TET, mesh.tets))])
     _add_groups(fem_mesh, mesh.triangle_face, "Face", "Face", 1, names)
     _add_groups(fem_mesh, mesh.tet_solid, "Solid", "Volume", 1 + len(mesh.triangles), names)
     if lines:
@@ -31,17 +30,43 @@ def to_fem_mesh(mesh, lines=False, names=None):
     return fem_mesh
 
 
-def _write_legacy_vtk(mesh, path):
-    # FreeCAD keeps tetrahedra in the order of SMESH, whose first two corners are the other way round.
-    blocks = [(_VTK_TRIANGLE, mesh.triangles), (_VTK_TET, mesh.tets[:, [1, 0, 2, 3]])]
-    cells = [numpy.insert(nodes.astype("i4"), 0, nodes.shape[1], axis=1).ravel() for _, nodes in blocks]
-    kinds = [numpy.full(len(nodes), kind, "i4") for kind, nodes in blocks]
+@functools.cache
+def _order_in_file(kind):
+    """Which corners to write one after the other, so that FreeCAD keeps what it should. Its reader takes corners as they stand or in
+    an order of its own, by version: it is asked with one element."""
+    count = len(_KEPT[kind])
+    corners = numpy.arange(count)
+    read = _read(numpy.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)])[:count], [(kind, corners[None])])
+    kept = [number - 1 for number in read.getElementNodes(1)]
+    if sorted(kept) != corners.tolist():
+        raise RuntimeError(f"FreeCAD makes an element of the nodes {kept} of one of the nodes {corners.tolist()}")
+    order = [0] * count
+    for place, wanted in zip(kept, _KEPT[kind]):
+        order[place] = wanted
+    return tuple(order)
+
+
+def _read(nodes, blocks):
+    """FreeCAD's mesh of these nodes and elements: (kind, corners) one after the other."""
+    import Fem
+
+    fem_mesh = Fem.FemMesh()
+    with tempfile.TemporaryDirectory(dir=memory_directory()) as directory:
+        path = os.path.join(directory, "mesh.vtk")
+        _write_legacy_vtk(nodes, blocks, path)
+        fem_mesh.read(path)
+    return fem_mesh
+
+
+def _write_legacy_vtk(nodes, blocks, path):
+    cells = [numpy.insert(corners.astype("i4"), 0, corners.shape[1], axis=1).ravel() for _, corners in blocks]
+    kinds = [numpy.full(len(corners), kind, "i4") for kind, corners in blocks]
     # Joining arrays gives them the machine's byte order; the file's is the other one.
     cells, kinds = numpy.concatenate(cells).astype(">i4"), numpy.concatenate(kinds).astype(">i4")
     with open(path, "wb") as file:
         file.write(b"# vtk DataFile Version 3.0\nmesh\nBINARY\nDATASET UNSTRUCTURED_GRID\n")
-        file.write(b"POINTS %d double\n" % len(mesh.nodes))
-        file.write(mesh.nodes.astype(">f8").tobytes())
+        file.write(b"POINTS %d double\n" % len(nodes))
+        file.write(nodes.astype(">f8").tobytes())
         file.write(b"\nCELLS %d %d\n" % (len(kinds), len(cells)))
         file.write(cells.tobytes())
         file.write(b"\nCELL_TYPES %d\n" % len(kinds))

@@ -8,6 +8,7 @@ _MEASURES = ["q2", "q1", "q3", "q4", "q5", "q6", "q7", "q8"]  # the first one is
 # type, name, group, what it means, default; links are global because a part may be inside of a body
 _PROPERTIES = (
     ("App::PropertyLinkGlobal", "Part", "FEM Mesh", "Object whose exact shape is meshed", None),
+    ("App::PropertyLinkGlobal", "Shape", "FEM Mesh", "The Part, as FEM calls it from FreeCAD 1.0 on", None),
     ("App::PropertyLinkSubListGlobal", "References", "FEM Mesh", "Faces to mesh; without any, the whole part", None),
     ("App::PropertyLength", "CharacteristicLengthMax", "FEM Mesh", "Mean edge on surfaces where nothing asks for less; 0 is no limit", 0.0),
     ("App::PropertyLength", "CharacteristicLengthMin", "FEM Mesh", "Smallest size of elements; 0 is no limit", 0.0),
@@ -46,6 +47,7 @@ _PROPERTIES = (
     ("App::PropertyFloat", "SmallestAngle", "Result", "Degrees; dihedral in solids", 0.0),
     ("App::PropertyFloat", "LargestAngle", "Result", "Degrees; dihedral in solids", 0.0),
 )
+_SAME = {"Part": "Shape", "Shape": "Part"}
 _RESULTS = ("Report", "NodeCount", "ElementCount", "SmallestAngle", "LargestAngle")
 
 
@@ -59,7 +61,15 @@ class MesherMesh:
         add_properties(obj)
 
     def onDocumentRestored(self, obj):
+        is_touched = "Touched" in obj.State
         add_properties(obj)
+        if not is_touched:
+            obj.purgeTouched()
+
+    def onChanged(self, obj, name):
+        other = _SAME.get(name)
+        if other in obj.PropertiesList and getattr(obj, other) != getattr(obj, name):
+            setattr(obj, other, getattr(obj, name))
 
     def execute(self, obj):
         # Meshing is asked for by a command, as with FEM's own mesh objects: a recompute must not take minutes.
@@ -83,5 +93,8 @@ def add_properties(obj):
         obj.addProperty(kind, name, group, text)
         if default is not None:
             setattr(obj, name, default)
+    if obj.Shape is None and obj.Part is not None:
+        obj.Shape = obj.Part
+    obj.setEditorMode("Shape", 2)
     for name in _RESULTS:
         obj.setEditorMode(name, 2 if name == "Report" else 1)

@@ -19,8 +19,7 @@ class MeshArrays:
         named = numpy.array([fem_mesh.getElementNodes(element)[:corners] for element in elements], dtype=numpy.int64)
         self.elements = numpy.searchsorted(numbers, named.reshape(-1, corners))
         if corners == 4:
-            # FreeCAD keeps them the other way round.
-            self.elements = self.elements[:, [1, 0, 2, 3]]
+            self.elements = _turned_positive(self.nodes, self.elements)
 
     @property
     def is_volume(self):
@@ -79,6 +78,13 @@ def mesh_feature_of(nodes, triangles):
             file.write(nodes[used].astype("<f4").tobytes())
             file.write(rows.tobytes())
         return Mesh.Mesh(path)
+
+
+def _turned_positive(nodes, tets):
+    """Tetrahedra whose faces all look outward, whichever way round they stood."""
+    a, b, c, d = (nodes[tets[:, i]] for i in range(4))
+    is_negative = (numpy.cross(b - a, c - a) * (d - a)).sum(axis=1) < 0.0
+    return numpy.where(is_negative[:, None], tets[:, [1, 0, 2, 3]], tets)
 
 
 def _dihedral_angles(corners):
