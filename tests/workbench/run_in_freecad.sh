@@ -18,13 +18,16 @@ for _ in $(seq 200); do
     sleep 0.05
 done
 
-# The start page would open a browser, and the browser ends a FreeCAD that runs as root.
+# The start page would open a browser, and the browser ends a FreeCAD that runs as root; that of 1.x asks for settings at first.
 preferences="$profile/preferences.FCMacro"
 cat >"$preferences" <<'PREFERENCES'
 import FreeCAD
 general = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/General")
 general.SetString("AutoloadModule", "PartWorkbench")
 general.SetBool("ShowSplasher", False)
+start = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Start")
+start.SetBool("ShowOnStartup", False)
+start.SetBool("FirstStart2024", False)
 FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document").SetBool("RecoveryEnabled", False)
 FreeCAD.saveParameter()
 PREFERENCES

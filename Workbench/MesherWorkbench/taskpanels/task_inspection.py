@@ -10,11 +10,7 @@ from .. import resources
 from ..messages import translated
 from ..tools.inspection import MeshArrays, boundary_of, mesh_feature_of
 from .document_watch import DocumentWatch
-
-try:
-    from shiboken2 import wrapInstance
-except ImportError:
-    from shiboken6 import wrapInstance
+from .qt import standard_buttons, widget_at
 
 _WORST_COUNT = 20
 _CUT_COLOUR = (0.62, 0.78, 0.92)
@@ -32,7 +28,7 @@ class TaskInspection:
         self._worst = self._arrays.worst(_WORST_COUNT)
         self._cut = None
         self._marks = None
-        self.form = wrapInstance(mesher_gui.create_inspection_panel(), QtGui.QWidget)
+        self.form = widget_at(mesher_gui.create_inspection_panel())
         self.form.setWindowTitle(translated("Inspect {label}").format(label=obj.Label))
         self.form.setWindowIcon(QtGui.QIcon(resources.icon("MesherInspectMesh")))
         self.form.setProperty("worst", [self._row_of(*row) for row in self._worst])
@@ -41,7 +37,7 @@ class TaskInspection:
 
     # what FreeCAD asks of a task panel
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return standard_buttons("Close")
 
     def reject(self):
         document = FreeCAD.listDocuments().get(self._document_name)

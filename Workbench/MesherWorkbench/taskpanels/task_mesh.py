@@ -17,11 +17,7 @@ from ..tools.meshed_shape import first_size
 from ..viewproviders.view_mesh import show_mesh_instead_of_part, show_part_instead_of_mesh
 from . import texts
 from .document_watch import DocumentWatch
-
-try:
-    from shiboken2 import wrapInstance
-except ImportError:
-    from shiboken6 import wrapInstance
+from .qt import standard_buttons, widget_at
 
 _POLL_MILLISECONDS = 50
 _PAUSE_BEFORE_ESTIMATE = 300  # milliseconds, in which more may be typed
@@ -48,7 +44,7 @@ class TaskMesh:
         self._estimator = QtCore.QTimer()
         self._estimator.setSingleShot(True)
         self._estimator.timeout.connect(self._start_estimate)
-        self.form = wrapInstance(mesher_gui.create_mesh_panel(), QtGui.QWidget)
+        self.form = widget_at(mesher_gui.create_mesh_panel())
         self.form.setWindowTitle(obj.Label)
         self.form.setWindowIcon(QtGui.QIcon(resources.icon("MesherMeshSolid")))
         self._show_options()
@@ -61,7 +57,7 @@ class TaskMesh:
 
     # what FreeCAD asks of a task panel
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        return standard_buttons("Ok", "Cancel")
 
     def accept(self):
         if self._task is not None:
