@@ -1,4 +1,4 @@
-# The package of Debian 12: tools/package.sh, or `cpack --config build/release/CPackConfig.cmake`.
+# The package of the Debian that it is built on: tools/package.sh, or `cpack --config build/release/CPackConfig.cmake`.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME mesher)
 set(CPACK_PACKAGE_CONTACT "The Mesher developers <mesher@example.org>")
@@ -9,6 +9,12 @@ their exact surfaces: a program, a package for Python, and a workbench for FreeC
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 
+# It fits that release only, and the next release's is the newer one.
+cmake_host_system_information(RESULT debian_release QUERY DISTRIB_VERSION_ID)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+if(debian_release)
+  string(APPEND CPACK_DEBIAN_PACKAGE_RELEASE "~deb${debian_release}")
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # Libraries and their least versions are read off the binaries.
