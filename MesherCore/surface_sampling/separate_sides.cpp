@@ -29,10 +29,6 @@ public:
         for (const auto& [a, b] : doomed_) {
             const EdgeLink side = t_.mesh().findEdge(a, b);
             if (!side.isValid()) continue;
-            if (turnAtPole(side)) {
-                isChanged = true;
-                continue;
-            }
             const Vec2 uv = middleOf(t_.points[a], t_.points[b]);
             isChanged = insertFacePoint(face_, uv, side.triangle(), t_).has_value() || isChanged;
         }
@@ -57,20 +53,6 @@ private:
         return false;
     }
 
-    /// A curve that ends in a pole is a side there itself, not another image of the pole joined to its node: the other diagonal is
-    /// held. A point in the middle would lie beside the curve's last segment, nearer to the pole than any other.
-    bool turnAtPole(EdgeLink side)
-    {
-        const FacePoint &from = t_.points[t_.mesh().edgeFrom(side)], &to = t_.points[t_.mesh().edgeTo(side)];
-        if (from.isPole == to.isPole) return false;
-        const VertexId near = t_.mesh().apex(side), far = t_.mesh().apex(t_.mesh().across(side));
-        if (isGhost(near) || isGhost(far)) return false;
-        const NodeId pole = from.isPole ? from.node : to.node;
-        const auto isImage = [&](VertexId v) { return t_.points[v].isPole && t_.points[v].node == pole; };
-        if (isImage(near) == isImage(far)) return false;
-        return t_.delaunay.recoverSegment(near, far).hasValue() && t_.delaunay.lastSegment().size() == 2;
-    }
-
     template <class Visit>
     void forEachSide(Visit&& visit) const
     {
@@ -81,14 +63,14 @@ private:
         }
     }
 
-    /// The free sides that are one with another in space, by their ends in the plane.
+    /// The free sides that are one with another in space, by their ends in the plane. Beside a pole a side may well be one with the
+    /// segment that ends there: if nothing but triangles that vanish lies between the two, it is the segment.
     void collect()
     {
-        IndexedMap<std::pair<SpaceKey, SpaceKey>, int> uses;
-        IndexedMap<std::pair<SpaceKey, SpaceKey>, bool> pieces;
+        IndexedMap<std::pair<SpaceKey, SpaceKey>, int> uses, pieces;
         for (const OutlinePiece& piece : outline_.pieces) {
             const auto key = [&](std::uint32_t point) { return keyOf(outline_.points[point].node); };
-            if (piece.segment.isValid()) pieces.insert(unorderedPair(key(piece.from), key(piece.to)), true);
+            if (piece.segment.isValid()) ++pieces[unorderedPair(key(piece.from), key(piece.to))];
         }
         forEachSide([&](EdgeLink side) {
             ++uses[{keyOf(t_.mesh().edgeFrom(side)), keyOf(t_.mesh().edgeTo(side))}];
@@ -99,7 +81,11 @@ private:
             const VertexId from = t_.mesh().edgeFrom(side), to = t_.mesh().edgeTo(side);
             const SpaceKey a = keyOf(from), b = keyOf(to);
             const auto key = unorderedPair(a, b);
-            if (a == b || *uses.find({a, b}) > 1 || pieces.contains(key) || taken_.contains(key))
+            const int* piecesThere = pieces.find(key);
+            const int* usesBehind = uses.find({b, a});
+            const int allUses = *uses.find({a, b}) + (usesBehind == nullptr ? 0 : *usesBehind);
+            if (a == b || *uses.find({a, b}) > 1 || taken_.contains(key) ||
+                (piecesThere != nullptr && allUses > *piecesThere))
                 doomed_.push_back(unorderedPair(from, to));
         });
         std::sort(doomed_.begin(), doomed_.end());

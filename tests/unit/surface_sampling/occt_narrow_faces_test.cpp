@@ -96,5 +96,24 @@ TEST(NarrowFaces, EndInAPoleWhereTheirEdgesMeetAtNoAngle)
     }
 }
 
+TEST(NarrowFaces, OfASpindlesSectorEndInBothTips)
+{
+    const gp_Pnt tip(0.0, 0.0, 0.0), rim(2.1, 0.0, 2.7), top(0.0, 0.0, 5.0);
+    BRepBuilderAPI_MakeWire wire;
+    wire.Add(BRepBuilderAPI_MakeEdge(tip, rim));
+    wire.Add(BRepBuilderAPI_MakeEdge(rim, top));
+    wire.Add(BRepBuilderAPI_MakeEdge(top, tip));
+    const gp_Ax1 axis(tip, gp_Dir(0.0, 0.0, 1.0));
+    for (const double degrees : {20.0, 60.0, 75.0, 90.0, 200.0}) {
+        SCOPED_TRACE(degrees);
+        auto read = readModelFromShape(BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wire.Wire()).Face(),
+                                                             axis, degrees * std::numbers::pi / 180.0)
+                                           .Shape());
+        ASSERT_TRUE(read) << describe(read.error());
+        const SurfaceSample sample = sampleOf(read->model);
+        EXPECT_EQ(checkSurfaceMesh(read->model, sample.surface->mesh()).problem(), "");
+    }
+}
+
 }  // namespace
 }  // namespace mesher
