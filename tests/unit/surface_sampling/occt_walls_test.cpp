@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace mesher {
 namespace {
@@ -27,6 +28,18 @@ TopoDS_Shape wedge()
 {
     BRepBuilderAPI_MakePolygon outline(gp_Pnt(0.0, 0.0, 0.0), gp_Pnt(30.0, 0.0, 0.0), gp_Pnt(30.0, 0.8, 0.0),
                                        Standard_True);
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0.0, 0.0, 8.0))
+        .Shape();
+}
+
+/// A plate that is thicker on one half.
+TopoDS_Shape steppedPlate()
+{
+    BRepBuilderAPI_MakePolygon outline;
+    for (const auto& [x, y] :
+         {std::pair{0.0, 0.0}, {12.0, 0.0}, {12.0, 0.1}, {6.0, 0.1}, {6.0, 0.05}, {0.0, 0.05}})
+        outline.Add(gp_Pnt(x, y, 0.0));
+    outline.Close();
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0.0, 0.0, 8.0))
         .Shape();
 }
@@ -84,6 +97,23 @@ void expectFacetsOfTheSize(const TopoDS_Shape& shape)
 TEST(FlatWalls, HaveFacetsOfTheSizeInAWedge) { expectFacetsOfTheSize(wedge()); }
 
 TEST(FlatWalls, HaveFacetsOfTheSizeWhereAHoleNearlyMeetsASide) { expectFacetsOfTheSize(blockWithNecks()); }
+
+/// One side is that of two walls, and just one of them is kept.
+TEST(FlatWalls, HaveNoFacetsOfTheWallBeside)
+{
+    const Result<BrepModel> model = buildModel(steppedPlate());
+    ASSERT_TRUE(model);
+    const RegionSides sides = *regionSidesOf(*model);
+    const SurfaceSample flat = sampleAt(*model, sides, 0.0);
+    const std::vector<WallSides> kept = keptOf(flat.counts.surveyedWalls);
+    ASSERT_EQ(kept.size(), 2u);
+    for (const WallSides& one : kept) {
+        RunContext context;
+        const std::vector<FlatWallFacet> facets = facetsOnWalls(*flat.surface, sides, {one}, context);
+        EXPECT_FALSE(facets.empty());
+        for (const FlatWallFacet& facet : facets) EXPECT_EQ(facet.sides, one);
+    }
+}
 
 }  // namespace
 }  // namespace mesher

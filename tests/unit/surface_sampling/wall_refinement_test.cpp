@@ -96,6 +96,19 @@ TEST(WallRefinement, KeepsAWallThatTakesTooMuchCoarseAndTellsHowCoarse)
     EXPECT_GT(wall.sagShare, walls.maxSagShare);
 }
 
+/// A wall that is made good follows its faces as closely as the facets that it may take allow.
+TEST(WallRefinement, StaysWithinItsFacets)
+{
+    const HollowSphere sphere;
+    WallRefinementOptions walls;
+    walls.maxSagShare = 0.005;
+    walls.maxTets = 30000.0;
+    const SurfaceSample result = sample(sphere, walls);
+    EXPECT_TRUE(keptOf(result.counts.surveyedWalls).empty());
+    EXPECT_GT(result.counts.walls.sagShare, 2.0 * walls.maxSagShare);
+    EXPECT_LT(static_cast<double>(result.counts.facets), walls.maxTets);
+}
+
 TEST(WallRefinement, LeavesABallAsCoarseAsItIsWished)
 {
     BrepModel ball = *makeSphere(Axes{}, 1.0);
