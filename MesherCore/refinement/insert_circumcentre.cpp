@@ -90,11 +90,29 @@ Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
     if (state_.t.delaunay->findConflicts(onGrid(point), tet, kOrdinaryConflicts).isCut)
         return Attempt::Impossible;
     const Cavity3d& cavity = state_.t.delaunay->makeStarShaped();
-    if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet)) return Attempt::Impossible;
+    if (cavity.status != CavityStatus::Ready || !hasRoom(cavity, tet) || makesFlatter(cavity, tet))
+        return Attempt::Impossible;
     if (const auto fan = fanCrowdedBy(cavity)) return insertCentreOf(*fan, tet);
     ++state_.counts.shortInsertions;
     insert(region, cavity.repairs > 0);
     return Attempt::Inserted;
+}
+
+/// Whether the star of a point that is no circumcentre would have flatter tetrahedra than the one that it is for. Such a point can lie
+/// next to any face of its cavity, and the flat ones there would be followed by flatter ones without an end.
+bool CircumcentreInsertion::makesFlatter(const Cavity3d& cavity, TetId tet) const
+{
+    constexpr double kFlat = 0.02;  // about a degree
+    const auto at = [&](VertexId v) { return state_.mesh.position(v); };
+    const auto flatness = [](const TetCorners& corners) {
+        return score(TetMeasure::MinimumDihedralSine, corners);
+    };
+    const auto& v = state_.mesh.tet(tet).vertex;
+    const double bound = std::min(kFlat, flatness({at(v[0]), at(v[1]), at(v[2]), at(v[3])}));
+    return std::any_of(cavity.faces.begin(), cavity.faces.end(), [&](const CavityFace3d& face) {
+        const auto& [a, b, c] = face.vertex;
+        return !isGhost(c) && flatness({cavity.point, at(a), at(b), at(c)}) < bound;
+    });
 }
 
 /// Where the line from `start` (0) to `end` (1) meets the plane of a face.

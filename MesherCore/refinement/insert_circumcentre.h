@@ -53,6 +53,7 @@ private:
     [[nodiscard]] std::optional<std::uint32_t> fanCrowdedBy(const Cavity3d& cavity) const;
     Attempt insertCentreOf(std::uint32_t fan, TetId tet);
     [[nodiscard]] bool hasRoom(const Cavity3d& cavity, TetId tet) const;
+    [[nodiscard]] bool makesFlatter(const Cavity3d& cavity, TetId tet) const;
     bool wouldShrink(TetId tet, std::span<const VertexId> entity);
     [[nodiscard]] double shortestSquaredEdge(TetId tet) const;
 

@@ -132,6 +132,22 @@ TEST_P(RefineVolume, KeepsAFrozenBoundary)
 INSTANTIATE_TEST_SUITE_P(Solids, RefineVolume, testing::Range<std::size_t>(0, cases().size()),
                          [](const auto& chosen) { return cases()[chosen.param].name; });
 
+/// Beside facets that may not be split vertices are put short of the circumcentres, where nothing keeps them off the planes of other
+/// faces: one flat tetrahedron would be followed by flatter ones.
+TEST(RefineVolumeBesideCoarseFacets, MakesNoFlatTetrahedraFlatter)
+{
+    SampledSolid solid = sampledCylinder(1.0, 4.0, 8);
+    const UniformSize field(0.2);
+    RefineVolumeOptions options;
+    options.boundary = BoundaryPolicy::Frozen;
+    options.sizing.field = &field;
+    options.sizing.usesLocalFeatureSize = false;
+    const RefinedVolume result = refine(solid, options);
+    EXPECT_TRUE(isSound(solid));
+    EXPECT_GT(result.counts.shortInsertions, 100u);
+    EXPECT_GT(dihedralRange(solid).least, 1.0);
+}
+
 /// Inside, edges are longer than the size; on the surface this solid brings them with it.
 TEST(RefineVolumeSizes, MeanEdgesAreLongerThanTheSizeWanted)
 {
