@@ -20,7 +20,7 @@ FOREIGN_HEADERS = {
     "bindings": re.compile(r"pybind11/.+\.h"),
     "base": re.compile(r"sys/mman\.h"),
     "triangulation2d": re.compile(r"boost/geometry/.+\.hpp"),
-    "brep/occt": re.compile(r".+\.hxx|fcntl\.h|sys/wait\.h|unistd\.h"),
+    "brep/occt": re.compile(r".+\.hxx|dlfcn\.h|fcntl\.h|sys/wait\.h|unistd\.h"),
     "cli": re.compile(r"boost/program_options\.hpp|fcntl\.h|unistd\.h|sys/(mman|prctl|wait)\.h"),
     "io": re.compile(r"fcntl\.h|poll\.h|sys/stat\.h|unistd\.h|zlib\.h"),
     "pipeline": re.compile(r"nlohmann/json\.hpp"),

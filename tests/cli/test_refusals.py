@@ -6,8 +6,10 @@
 import json
 import os
 import re
+import shutil
+import subprocess
 
-from program_case import DATA, Case, run_tests
+from program_case import DATA, PROGRAM, Case, run_tests
 
 
 # A unit square, as small as AP203 allows.
@@ -158,6 +160,17 @@ class TestRefusals(Case):
         (self.folder / "square.step").write_text(STEP_SQUARE)
         self.expect(0, "mesh", "square.step", "--dimension", 2, "--size", 0.2, "-o", "m.msh", "--check")
         self.expect(0, "check", "m.msh", "--model", "square.step")
+
+    def test_a_program_without_its_modules_says_so(self):
+        """Copied to where the readers of STEP and IGES are not."""
+        (self.folder / "square.step").write_text(STEP_SQUARE)
+        alone = self.folder / "bin" / "mesher"
+        alone.parent.mkdir()
+        shutil.copy(PROGRAM, alone)
+        run = subprocess.run([alone, "info", "square.step"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, r"^mesher: mesher_read_step\.so: the module that reads this format is not beside the program; .+\.\n$")
+        self.assertEqual(subprocess.run([alone, "info", DATA / "box.brep"], cwd=self.folder, capture_output=True).returncode, 0)
 
     def test_fields_left_unset_are_no_damage(self):
         unset = STEP_SQUARE.replace("SHELL_BASED_SURFACE_MODEL(''", "SHELL_BASED_SURFACE_MODEL($").replace("PLANE(''", "PLANE($")

@@ -105,6 +105,8 @@ Result<ReadModel> readContent(const std::string& content, const std::string& nam
     if (*format == ModelFormat::Iges && !isFile) {
         return unreadable(name, "IGES is read from files only", "write it to a file first");
     }
+    const Result<void> ready = prepareReader(*format);
+    if (!ready) return ready.error();
     const OcctSilence silence;
     const auto read = [&] { return readFormat(*format, content, name, options); };
     if (options.isTried && !endsByItself([&] { static_cast<void>(read()); })) {

@@ -1,22 +1,15 @@
 #pragma once
 
 #include "base/result.h"
+#include "brep/occt/exchange/read_file.h"
 #include "brep/occt/model_format.h"
 
-#include <TopoDS_Shape.hxx>
-
 #include <string>
-#include <vector>
 
 namespace mesher {
 
-struct ShapeFromFile
-{
-    TopoDS_Shape shape;
-    std::string
-        unit;  ///< that the file states, "" if none; lengths are converted to millimetres all the same
-    std::vector<std::string> parts;  ///< names of the parts of an assembly in STEP, in the order of the file
-};
+/// Loads what the reader of a format needs, so that processes that are forked afterwards have it.
+[[nodiscard]] Result<void> prepareReader(ModelFormat format);
 
 /// Requires     an OcctSilence alive
 /// `content` is the whole file; `name` is what errors call it. IGES is read from the file `name` itself.

@@ -1,4 +1,4 @@
-#include "brep/occt/file_damage.h"
+#include "brep/occt/exchange/file_damage.h"
 
 #include <Interface_Check.hxx>
 #include <Interface_ReportEntity.hxx>
