@@ -11,6 +11,7 @@ struct FaceDistance
 {
     double distance = 0.0;
     double tolerance = 0.0;  ///< of what is nearest: the face, or the edge beyond which the place lies
+    Vec2 parameters;         ///< of the foot on the surface; nothing of worth beyond an edge
 };
 
 /// The distance from the surface where the foot lies inside of the face's edges, else that from the nearest of the edges.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace mesher {
@@ -14,6 +15,8 @@ namespace {
 constexpr std::size_t kCount = ChebyshevSeries::kSampleCount;
 /// Per cell; radians for the variation, a share of the curve's size for the length.
 constexpr double kTolerance = 1e-12;
+/// Derivatives are differences of places: what these have of rounding, in units of their last digit, no halving takes away.
+constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 /// Narrower cells, as a share of the whole part, are not halved.
 constexpr double kNarrowest = 1e-10;
 /// Smaller jumps of the tangent, in radians, are rounding.
@@ -68,7 +71,8 @@ Vec3 tangentBeside(const Curve& curve, double t, double step)
 class TableBuilder
 {
 public:
-    TableBuilder(const Curve& curve, Interval part) : curve_(curve), whole_(part), size_(sizeOf(curve, part))
+    TableBuilder(const Curve& curve, Interval part)
+        : curve_(curve), whole_(part), size_(sizeOf(curve, part)), rounding_(kRounding * reachOf(curve, part))
     {
     }
 
@@ -82,8 +86,10 @@ public:
         for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
             // Two cells at the least: a feature that hides between the samples of one shows in the other.
             const double middle = 0.5 * (borders[i] + borders[i + 1]);
-            addCells({borders[i], middle});
-            addCells({middle, borders[i + 1]});
+            const double pieceSize = sizeOf(curve_, {borders[i], borders[i + 1]});
+            const double tolerance = std::max(kTolerance, pieceSize > 0.0 ? rounding_ / pieceSize : 0.0);
+            addCells({borders[i], middle}, tolerance);
+            addCells({middle, borders[i + 1]}, tolerance);
         }
         sumUp();
         return std::move(table_);
@@ -101,7 +107,16 @@ private:
         return sum;
     }
 
-    void addCells(Interval range)
+    /// How far from the origin the curve gets.
+    static double reachOf(const Curve& curve, Interval part)
+    {
+        double reach = 0.0;
+        for (const double share : {0.0, 0.5, 1.0})
+            reach = std::max(reach, length(curve.position(part.at(share))));
+        return reach;
+    }
+
+    void addCells(Interval range, double tolerance)
     {
         std::vector<Interval> open{range};
         while (!open.empty()) {
@@ -111,8 +126,8 @@ private:
             const ChebyshevSeries turning = ChebyshevSeries::fitted(samples.turning);
             const ChebyshevSeries speed = ChebyshevSeries::fitted(samples.speed);
             const double half = 0.5 * cell.length();
-            const bool isResolved = turning.tail() * half <= kTolerance &&
-                                    speed.tail() * half <= kTolerance * size_ &&
+            const bool isResolved = turning.tail() * half <= tolerance &&
+                                    speed.tail() * half <= std::max(kTolerance * size_, rounding_) &&
                                     !hidesJump(samples, turning, half);
             const bool isNarrow = cell.length() <= kNarrowest * whole_.length();
             if (isResolved || isNarrow) {
@@ -207,6 +222,7 @@ private:
     const Curve& curve_;
     Interval whole_;
     double size_;
+    double rounding_;  ///< of places along the curve
     TangentTable table_;
     std::vector<bool> isUnresolved_;  ///< of each cell: too narrow to be halved
 };

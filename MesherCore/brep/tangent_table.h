@@ -43,7 +43,8 @@ struct TangentTable
 /// Tabulates the part of the curve by Chebyshev interpolation of curvature times speed, and of speed, on cells that are
 /// halved until the series end; cells are cut first at the curve's knots and where a plane curve has an inflexion.
 ///
-/// Guarantees   error of variation and relative error of length around 1e-12 per cell on a regular curve
+/// Guarantees   error of variation and relative error of length around 1e-12 per cell on a regular curve, or what rounding of
+///              places leaves where the curve lies many times its size from the origin
 /// Terminates   always: cells below 1e-10 of the part, as at a cusp, keep what the tangents at their ends tell
 /// Cost         16 evaluations per cell and halving; 2 to 10 cells for a usual span
 [[nodiscard]] TangentTable tabulateTangent(const Curve& curve, Interval part);

@@ -1,6 +1,6 @@
 #include "pipeline/model_check.h"
 
-#include "brep/face_distance.h"
+#include "pipeline/node_distances.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,35 +9,6 @@
 namespace mesher {
 
 namespace {
-
-constexpr double kTolerance = 1e-7;
-
-bool isInModel(EntityRef entity, const BrepModel& model)
-{
-    const std::array<std::size_t, 4> counts = {model.vertices.size(), model.edges.size(), model.faces.size(),
-                                               model.solids.size()};
-    return entity.index == EntityRef::kNone ||
-           (entity.dimension < 4 && entity.index < counts[entity.dimension]);
-}
-
-/// Of a node from its own vertex, edge or face; nothing inside of a solid.
-std::optional<FaceDistance> distanceOf(const MeshNode& node, const BrepModel& model)
-{
-    if (node.entity.index == EntityRef::kNone) return std::nullopt;
-    if (node.entity.dimension == 0) {
-        const BrepVertex& vertex = model.vertices[BrepVertexId(node.entity.index)];
-        return FaceDistance{length(node.position - vertex.position), vertex.tolerance};
-    }
-    if (node.entity.dimension == 1) {
-        const BrepEdge& edge = model.edges[BrepEdgeId(node.entity.index)];
-        if (edge.isDegenerate) return std::nullopt;
-        return FaceDistance{edge.curve->project(node.position, edge.part).distance, edge.tolerance};
-    }
-    if (node.entity.dimension == 2) {
-        return distanceFromFace(model, BrepFaceId(node.entity.index), node.position, node.parameters);
-    }
-    return std::nullopt;
-}
 
 template <std::size_t N>
 std::uint64_t countUnknown(const std::vector<MeshElement<N>>& elements, const BrepModel& model)
@@ -66,7 +37,7 @@ std::uint64_t countMissingVertices(const ClassifiedMesh& mesh, const BrepModel& 
         if (isWanted[v] == 0) continue;
         const Vec3& place = model.vertices[BrepVertexId(v)].position;
         const bool isThere = std::any_of(mesh.nodes.begin(), mesh.nodes.end(), [&](const MeshNode& node) {
-            return node.entity.dimension == 0 && length(node.position - place) <= kTolerance;
+            return node.entity.dimension == 0 && length(node.position - place) <= kNodeTolerance;
         });
         if (isThere) isWanted[v] = 0;
     }
@@ -97,8 +68,7 @@ public:
         if (node.entity == EntityRef{2, f.value}) return true;
         const std::vector<EntityRef>& own = entities_[f];
         if (std::binary_search(own.begin(), own.end(), node.entity)) return true;
-        const FaceDistance found = distanceFromFace(model_, f, node.position);
-        return found.distance <= std::max(kTolerance, found.tolerance);
+        return isOn(distanceFromFace(model_, f, node.position), node.position);
     }
 
 private:
@@ -135,17 +105,19 @@ ModelCheckReport checkAgainstModel(const ClassifiedMesh& mesh, const BrepModel& 
     ModelCheckReport report;
     report.unknownEntities = countUnknown(mesh.points, model) + countUnknown(mesh.lines, model) +
                              countUnknown(mesh.triangles, model) + countUnknown(mesh.tets, model);
-    for (const MeshNode& node : mesh.nodes) {
+    const std::vector<std::optional<FaceDistance>> distances = distancesOfNodes(mesh, model);
+    for (std::uint32_t i = 0; i < distances.size(); ++i) {
+        const MeshNode& node = mesh.nodes[NodeId(i)];
         if (!isInModel(node.entity, model)) {
             ++report.unknownEntities;
             continue;
         }
-        const std::optional<FaceDistance> found = distanceOf(node, model);
-        if (!found) continue;
-        if (!(found->distance <= std::max(kTolerance, found->tolerance))) ++report.nodesOff;
+        if (!distances[i]) continue;
+        const FaceDistance& found = *distances[i];
+        if (!isOn(found, node.position)) ++report.nodesOff;
         double& largest = report.largestDistance[node.entity.dimension];
-        if (found->distance > largest) {
-            largest = found->distance;
+        if (found.distance > largest) {
+            largest = found.distance;
             report.farthestEntity[node.entity.dimension] = nameOf(node.entity);
         }
     }

@@ -3,6 +3,7 @@
 #include "brep/analytic/bspline_curve.h"
 #include "brep/analytic/conic_curves.h"
 #include "brep/analytic/line_curve.h"
+#include "brep/tangent_table.h"
 
 #include <gtest/gtest.h>
 
@@ -157,6 +158,21 @@ TEST(TangentVariation, SplitsAtACornerHoweverNearAnEnd)
         spline({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}}, 1, {0.0, 0.0, 1.0, 2.0, 2.0});
     const TangentVariation turning(polyline, {0.0, 2.0});
     EXPECT_EQ(turning.balancedSplit(0.99, 2.0), 1.0);
+}
+
+TEST(TangentVariation, TakesFewCellsAlsoFarFromTheOrigin)
+{
+    const auto tableAt = [](double place) {
+        const Vec3 away{place, -place, 0.3 * place};
+        const auto curve = spline({away, away + Vec3{0.3, 0.7, 0.1}, away + Vec3{1.1, -0.4, 0.3},
+                                   away + Vec3{1.4, 0.9, 0.0}, away + Vec3{2.0, 0.0, 0.0}},
+                                  3, {0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 1.0, 1.0, 1.0});
+        return tabulateTangent(*curve, {0.0, 1.0});
+    };
+    const TangentTable near = tableAt(0.0), far = tableAt(1e6);
+    EXPECT_LE(far.cells.size(), near.cells.size());
+    EXPECT_NEAR(far.variation, near.variation, 1e-7);
+    EXPECT_NEAR(far.length, near.length, 1e-8);
 }
 
 TEST(TangentVariation, OfAHelixIsThatOfSpaceCurves)
