@@ -94,7 +94,7 @@ private:
             }
         }
         if (count == 0) return {};
-        std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+        if (count == 2 && found[1] < found[0]) std::swap(found[0], found[1]);
         return found;
     }
 
