@@ -1,12 +1,12 @@
 #include "local_size_table.h"
 
-#include "length_box.h"
-
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace mesher::gui {
 
@@ -17,8 +17,11 @@ constexpr int kTableWidth = 120;  // pixels, at least
 
 }  // namespace
 
-LocalSizeTable::LocalSizeTable(QWidget* parent)
-    : QWidget(parent), table_(new QTableWidget(0, 2, this)), remove_(new QPushButton(tr("Remove"), this))
+LocalSizeTable::LocalSizeTable(QuantityFieldMaker makeField, QWidget* parent)
+    : QWidget(parent),
+      makeField_(std::move(makeField)),
+      table_(new QTableWidget(0, 2, this)),
+      remove_(new QPushButton(tr("Remove"), this))
 {
     table_->setObjectName(QStringLiteral("localSizes"));
     table_->setHorizontalHeaderLabels({tr("Local size of"), tr("Size")});
@@ -49,8 +52,8 @@ QVariantMap LocalSizeTable::sizes() const
 {
     QVariantMap sizes;
     for (int row = 0; row < table_->rowCount(); ++row) {
-        const auto* box = qobject_cast<LengthBox*>(table_->cellWidget(row, 1));
-        if (box->value() > 0.0) sizes.insert(table_->item(row, 0)->text(), box->value());
+        const auto* length = qobject_cast<LengthField*>(table_->cellWidget(row, 1));
+        if (length->value() > 0.0) sizes.insert(table_->item(row, 0)->text(), length->value());
     }
     return sizes;
 }
@@ -69,10 +72,10 @@ void LocalSizeTable::addRow(const QString& name, double size)
     auto* item = new QTableWidgetItem(name);
     item->setFlags(item->flags() & ~Qt::ItemIsEditable);
     table_->setItem(row, 0, item);
-    auto* box = new LengthBox(tr("none"), table_);
-    box->setValue(size);
-    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &LocalSizeTable::sizesChanged);
-    table_->setCellWidget(row, 1, box);
+    auto* length = new LengthField(makeField_, QStringLiteral("localSizeOf") + name, tr("none"), table_);
+    length->setValue(size);
+    connect(length, &LengthField::valueChanged, this, &LocalSizeTable::sizesChanged);
+    table_->setCellWidget(row, 1, length);
     showIfFilled();
 }
 

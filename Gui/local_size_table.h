@@ -1,5 +1,7 @@
 #pragma once
 
+#include "length_field.h"
+
 #include <QVariantMap>
 #include <QWidget>
 
@@ -14,7 +16,7 @@ class LocalSizeTable : public QWidget
     Q_OBJECT
 
 public:
-    explicit LocalSizeTable(QWidget* parent = nullptr);
+    explicit LocalSizeTable(QuantityFieldMaker makeField, QWidget* parent = nullptr);
 
     /// Name to millimetres; rows without a size are left out.
     [[nodiscard]] QVariantMap sizes() const;
@@ -29,6 +31,7 @@ private:
     void showIfFilled();
     void removeCurrent();
 
+    QuantityFieldMaker makeField_;
     QTableWidget* table_;
     QPushButton* remove_;
 };

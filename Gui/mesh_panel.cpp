@@ -1,6 +1,6 @@
 #include "mesh_panel.h"
 
-#include "length_box.h"
+#include "length_field.h"
 #include "local_size_table.h"
 #include "quality_histogram.h"
 
@@ -33,12 +33,13 @@ Widget* named(Widget* widget, const char* name)
     return widget;
 }
 
-LengthBox* lengthBox(const char* name, const QString& none, const QString& tip, QWidget* parent)
+LengthField* lengthField(const QuantityFieldMaker& make, const char* name, const QString& none,
+                         const QString& tip, QWidget* parent)
 {
-    auto* box = named(new LengthBox(none, parent), name);
-    box->setMinimumWidth(kSmallestInputWidth);
-    box->setToolTip(tip);
-    return box;
+    auto* length = new LengthField(make, QLatin1String(name), none, parent);
+    length->field()->setMinimumWidth(kSmallestInputWidth);
+    length->setToolTip(tip);
+    return length;
 }
 
 QLabel* wrappedLabel(const char* name, QWidget* parent)
@@ -50,16 +51,20 @@ QLabel* wrappedLabel(const char* name, QWidget* parent)
 
 }  // namespace
 
-MeshPanel::MeshPanel(QWidget* parent)
+MeshPanel::MeshPanel(const QuantityFieldMaker& makeField, QWidget* parent)
     : QWidget(parent),
-      size_(lengthBox("size", tr("automatic"), tr("No edge is to be longer; units may be typed: 0.25 in"),
-                      this)),
-      minSize_(lengthBox("minSize", tr("no limit"), tr("No size asked for is to be smaller"), this)),
+      size_(lengthField(makeField, "size", tr("automatic"),
+                        tr("Mean edge where nothing asks for less; units and expressions may be typed: "
+                           "1/4 in, =Spreadsheet.width"),
+                        this)),
+      minSize_(
+          lengthField(makeField, "minSize", tr("no limit"), tr("No size asked for is to be smaller"), this)),
       curvature_(named(new QSpinBox(this), "curvature")),
-      sag_(lengthBox("sag", tr("off"), tr("Largest distance of an edge from its curve or face"), this)),
+      sag_(lengthField(makeField, "sag", tr("off"), tr("Largest distance of an edge from its curve or face"),
+                       this)),
       improve_(named(new QCheckBox(tr("Improve afterwards"), this), "improve")),
       overlap_(named(new QCheckBox(tr("Refuse solids that overlap"), this), "refuseOverlap")),
-      localSizes_(new LocalSizeTable(this)),
+      localSizes_(new LocalSizeTable(makeField, this)),
       estimate_(wrappedLabel("estimate", this)),
       mesh_(named(new QPushButton(tr("Mesh"), this), "meshButton")),
       cancel_(named(new QPushButton(tr("Stop"), this), "cancelButton")),
@@ -132,8 +137,8 @@ void MeshPanel::connectAll()
 {
     connect(mesh_, &QPushButton::clicked, this, &MeshPanel::meshRequested);
     connect(cancel_, &QPushButton::clicked, this, &MeshPanel::cancelRequested);
-    for (LengthBox* box : {size_, minSize_, sag_})
-        connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MeshPanel::optionsChanged);
+    for (LengthField* length : {size_, minSize_, sag_})
+        connect(length, &LengthField::valueChanged, this, &MeshPanel::optionsChanged);
     connect(curvature_, QOverload<int>::of(&QSpinBox::valueChanged), this, &MeshPanel::optionsChanged);
     connect(localSizes_, &LocalSizeTable::sizesChanged, this, &MeshPanel::optionsChanged);
     connect(localSizes_, &LocalSizeTable::selectionWanted, this, &MeshPanel::selectionWanted);
@@ -156,6 +161,14 @@ QString MeshPanel::overlap() const
 void MeshPanel::setOverlap(const QString& value) { overlap_->setChecked(value == QStringLiteral("refuse")); }
 QVariantMap MeshPanel::localSizes() const { return localSizes_->sizes(); }
 void MeshPanel::setLocalSizes(const QVariantMap& sizes) { localSizes_->setSizes(sizes); }
+bool MeshPanel::isBound() const { return size_->field() != nullptr; }
+
+void MeshPanel::setBound(bool bound)
+{
+    if (bound) return;
+    for (LengthField* length : {size_, minSize_, sag_}) length->letFieldGo();
+}
+
 QString MeshPanel::estimate() const { return estimate_->text(); }
 void MeshPanel::setEstimate(const QString& text) { estimate_->setText(text); }
 QString MeshPanel::stage() const { return stage_->text(); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "length_field.h"
+
 #include <QVariantList>
 #include <QVariantMap>
 #include <QWidget>
@@ -13,7 +15,6 @@ class QSpinBox;
 
 namespace mesher::gui {
 
-class LengthBox;
 class LocalSizeTable;
 class QualityHistogram;
 
@@ -29,6 +30,8 @@ class MeshPanel : public QWidget
     Q_PROPERTY(bool improve READ isImproved WRITE setImproved)
     Q_PROPERTY(QString overlap READ overlap WRITE setOverlap)
     Q_PROPERTY(QVariantMap localSizes READ localSizes WRITE setLocalSizes)  ///< name to millimetres
+    /// Whether lengths are properties of a document object; they have to be let go before it is deleted.
+    Q_PROPERTY(bool bound READ isBound WRITE setBound)
     Q_PROPERTY(QString estimate READ estimate WRITE setEstimate)
     Q_PROPERTY(bool running READ isRunning WRITE setRunning)
     Q_PROPERTY(QString stage READ stage WRITE setStage)
@@ -38,7 +41,7 @@ class MeshPanel : public QWidget
     Q_PROPERTY(QVariantList histogram READ histogram WRITE setHistogram)
 
 public:
-    explicit MeshPanel(QWidget* parent = nullptr);
+    explicit MeshPanel(const QuantityFieldMaker& makeField, QWidget* parent = nullptr);
 
     [[nodiscard]] double size() const;
     void setSize(double value);
@@ -55,6 +58,8 @@ public:
     void setOverlap(const QString& value);
     [[nodiscard]] QVariantMap localSizes() const;
     void setLocalSizes(const QVariantMap& sizes);
+    [[nodiscard]] bool isBound() const;
+    void setBound(bool bound);
     [[nodiscard]] QString estimate() const;
     void setEstimate(const QString& text);
     [[nodiscard]] bool isRunning() const { return isRunning_; }
@@ -81,10 +86,10 @@ private:
     void connectAll();
     void showWhetherBusy();
 
-    LengthBox* size_;
-    LengthBox* minSize_;
+    LengthField* size_;
+    LengthField* minSize_;
     QSpinBox* curvature_;
-    LengthBox* sag_;
+    LengthField* sag_;
     QCheckBox* improve_;
     QCheckBox* overlap_;
     LocalSizeTable* localSizes_;

@@ -1,18 +1,27 @@
-"""Tells a panel that its document is being closed."""
+"""Tells a panel that its document is being closed, or its object deleted."""
 import FreeCAD
 from PySide import QtCore
 
 
 class DocumentWatch:
-    def __init__(self, name, leave):
-        self._name = name
+    """Calls `leave` behind the closing of a document, and `let_go` before the object, or the document with it, is deleted."""
+
+    def __init__(self, obj, leave, let_go=lambda: None):
+        self._obj = obj
+        self._document_name = obj.Document.Name
         self._leave = leave
+        self._let_go = let_go
         FreeCAD.addDocumentObserver(self)
 
     def slotDeletedDocument(self, document):
-        if document.Name == self._name:
+        if document.Name == self._document_name:
+            self._let_go()
             # Behind the closing, which is in the middle of its work.
             QtCore.QTimer.singleShot(0, self._leave)
+
+    def slotDeletedObject(self, obj):
+        if obj == self._obj:
+            self._let_go()
 
     def end(self):
         FreeCAD.removeDocumentObserver(self)

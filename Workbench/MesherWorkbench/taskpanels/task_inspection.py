@@ -21,7 +21,7 @@ class TaskInspection:
     def __init__(self, obj):
         self._obj = obj
         self._document_name = obj.Document.Name
-        self._watch = DocumentWatch(self._document_name, self.leave)
+        self._watch = DocumentWatch(obj, self.leave)
         self._is_open = True
         self._looks = {name: getattr(obj.ViewObject, name) for name in ("Visibility", "Transparency")}
         self._arrays = MeshArrays(obj.FemMesh)

@@ -17,7 +17,7 @@ from ..tools.meshed_shape import first_size
 from ..viewproviders.view_mesh import show_mesh_instead_of_part, show_part_instead_of_mesh
 from . import texts
 from .document_watch import DocumentWatch
-from .qt import standard_buttons, widget_at
+from .qt import new_quantity_field, standard_buttons, widget_at
 
 _POLL_MILLISECONDS = 50
 _PAUSE_BEFORE_ESTIMATE = 300  # milliseconds, in which more may be typed
@@ -32,7 +32,7 @@ class TaskMesh:
     def __init__(self, obj, isNew=False):
         self._obj = obj
         self._document_name = obj.Document.Name
-        self._watch = DocumentWatch(self._document_name, self.leave)
+        self._watch = DocumentWatch(obj, self.leave, self._let_lengths_go)
         self._is_open = True
         self._is_new = isNew
         self._tool = None
@@ -44,7 +44,7 @@ class TaskMesh:
         self._estimator = QtCore.QTimer()
         self._estimator.setSingleShot(True)
         self._estimator.timeout.connect(self._start_estimate)
-        self.form = widget_at(mesher_gui.create_mesh_panel())
+        self.form = widget_at(mesher_gui.create_mesh_panel(self._new_field))
         self.form.setWindowTitle(obj.Label)
         self.form.setWindowIcon(QtGui.QIcon(resources.icon("MesherMeshSolid")))
         self._show_options()
@@ -110,6 +110,15 @@ class TaskMesh:
             return self._document() is not None and self._document().getObject(self._obj.Name) is not None
         except ReferenceError:
             return False
+
+    def _new_field(self, name):
+        property_name = dict(_LENGTHS).get(name)
+        return new_quantity_field(self._obj, property_name) if property_name else new_quantity_field()
+
+    def _let_lengths_go(self):
+        # FreeCAD takes the form away from a panel that it has closed.
+        if self.form is not None:
+            self.form.setProperty("bound", False)
 
     def _show_options(self):
         for name, property_name in _LENGTHS:

@@ -61,6 +61,16 @@ def trigger(name):
     pump(0.2)
 
 
+def press_key(widget, key, text=""):
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        QtGui.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text))
+
+
+def type_keys(widget, text):
+    for letter in text:
+        press_key(widget, QtCore.Qt.Key_unknown, letter)
+
+
 def select(obj, *names):
     FreeCADGui.Selection.clearSelection()
     for name in names or ("",):
@@ -126,14 +136,20 @@ class Panel:
     """The panel of a mesh object, while it is open."""
 
     def set_length(self, name, value):
-        find(QtGui.QDoubleSpinBox, name).setValue(value)
+        find(QtGui.QAbstractSpinBox, name).setProperty("rawValue", value)
+
+    def length(self, name):
+        return find(QtGui.QAbstractSpinBox, name).property("rawValue")
 
     def type_length(self, name, text):
-        """As at the keyboard, with Enter."""
-        box = find(QtGui.QDoubleSpinBox, name)
-        box.lineEdit().setText(text)
-        box.interpretText()
-        return box.value()
+        """As at the keyboard, leaving the field by Tab."""
+        box = find(QtGui.QAbstractSpinBox, name)
+        box.setFocus()
+        box.selectAll()
+        type_keys(box, text)
+        press_key(box, QtCore.Qt.Key_Tab, "\t")
+        pump(0.05)
+        return self.length(name)
 
     def text_of(self, name):
         return find(QtGui.QLabel, name).text()
