@@ -66,6 +66,13 @@ copy_checkout() {
     done | tar --null --files-from=- --create | tar --extract --no-same-owner --directory "$root/mesher"
 }
 
+# Two at a time would take each other's files away.
+mkdir -p "$(dirname "$root")"
+exec 9>"$root.lock"
+if ! flock --nonblock 9; then
+    echo "try_release: $release is being tried already" >&2
+    exit 1
+fi
 export MESHER_JOBS=${MESHER_JOBS:-$(nproc)}
 [[ -d $root ]] || make_root
 cp /etc/resolv.conf "$root/etc/resolv.conf"
