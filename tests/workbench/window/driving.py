@@ -6,6 +6,8 @@ import time
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+import window_hands
+
 
 class Ear:
     """Hears what Python says of exceptions that nobody caught, in slots of Qt for one."""
@@ -40,35 +42,37 @@ def pump(seconds, until=lambda: False):
     return longest
 
 
-def find(kind, name, seconds=10.0):
-    """The one visible widget of that name, as soon as it is there: a slow machine shows it later."""
-    found = []
+def wait_for(name, seconds=10.0):
+    """Until there is a visible widget of that name: a slow machine shows it later."""
+    pump(0.0 if window_hands.count(name) else seconds, lambda: window_hands.count(name))
 
-    def look():
-        found[:] = [w for w in FreeCADGui.getMainWindow().findChildren(kind) if w.objectName() == name and w.isVisible()]
-        return found
 
-    pump(0.0 if look() else seconds, look)
-    assert len(found) == 1, f"{len(found)} visible {name}"
-    return found[0]
+def get(name, what):
+    """A property of the one visible widget of that name."""
+    wait_for(name)
+    return window_hands.get(name, what)
+
+
+def put(name, what, value):
+    wait_for(name)
+    window_hands.set(name, what, value)
+
+
+def click(name):
+    wait_for(name)
+    window_hands.click(name)
 
 
 def trigger(name):
     """The entry of the menu."""
-    actions = [a for a in FreeCADGui.getMainWindow().findChildren(QtGui.QAction) if a.objectName() == name]
-    assert actions, f"no action {name}"
-    actions[0].trigger()
+    window_hands.trigger(name)
     pump(0.2)
 
 
-def press_key(widget, key, text=""):
-    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        QtGui.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text))
-
-
-def type_keys(widget, text):
-    for letter in text:
-        press_key(widget, QtCore.Qt.Key_unknown, letter)
+def type_keys(name, text):
+    """Over what is in the field."""
+    wait_for(name)
+    window_hands.type_keys(name, text)
 
 
 def select(obj, *names):
@@ -79,27 +83,14 @@ def select(obj, *names):
 
 
 def take_picture(path):
-    """Of the whole screen, so that what OpenGL draws is on it."""
     pump(0.3)
-    QtGui.QApplication.primaryScreen().grabWindow(0).save(path)
-
-
-def visible_buttons(word):
-    """The buttons of task panels that say this word. Qt is asked what each object is, and not Python: PySide gives an object the type
-    of another one that lay at the same address before, if it was not told of the end of that one."""
-    def is_meant(thing):
-        return (thing.inherits("QPushButton") and thing.property("visible") and thing.property("text").replace("&", "") == word
-                and thing.parent().inherits("QDialogButtonBox"))
-
-    return [thing for thing in FreeCADGui.getMainWindow().findChildren(QtCore.QObject) if is_meant(thing)]
+    window_hands.take_picture(path)
 
 
 def press(word, seconds=10.0):
     """The button of the task panel that says this word, as soon as it is there."""
-    pump(seconds, lambda: visible_buttons(word))
-    buttons = visible_buttons(word)
-    assert len(buttons) == 1, f"{len(buttons)} visible buttons {word}"
-    QtCore.QMetaObject.invokeMethod(buttons[0], "click")
+    pump(seconds, lambda: window_hands.count_buttons(word))
+    window_hands.press(word)
     pump(0.3)
 
 
@@ -114,16 +105,15 @@ class Messages:
         self._timer.start(50)
 
     def _look(self):
-        for box in FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox):
-            if box.isVisible():
-                if self.picture:
-                    # Only what was drawn is on the screen.
-                    self._timer.stop()
-                    path, self.picture = self.picture, None
-                    take_picture(path)
-                    self._timer.start(50)
-                self.texts.append(box.text())
-                box.accept()
+        if not window_hands.count_messages():
+            return
+        if self.picture:
+            # Only what was drawn is on the screen.
+            self._timer.stop()
+            path, self.picture = self.picture, None
+            take_picture(path)
+            self._timer.start(50)
+        self.texts.append(window_hands.close_message())
 
     def next(self):
         """The text of the window that is open or opens now."""
@@ -136,33 +126,28 @@ class Panel:
     """The panel of a mesh object, while it is open."""
 
     def set_length(self, name, value):
-        find(QtGui.QAbstractSpinBox, name).setProperty("rawValue", value)
+        put(name, "rawValue", float(value))
 
     def length(self, name):
-        return find(QtGui.QAbstractSpinBox, name).property("rawValue")
+        return get(name, "rawValue")
 
     def type_length(self, name, text):
         """As at the keyboard, leaving the field by Tab."""
-        box = find(QtGui.QAbstractSpinBox, name)
-        box.setFocus()
-        box.selectAll()
-        type_keys(box, text)
-        press_key(box, QtCore.Qt.Key_Tab, "\t")
+        type_keys(name, text + "\t")
         pump(0.05)
         return self.length(name)
 
     def text_of(self, name):
-        return find(QtGui.QLabel, name).text()
+        return get(name, "text")
 
     def start(self):
-        find(QtGui.QPushButton, "meshButton").click()
+        click("meshButton")
 
     def is_idle(self):
-        return find(QtGui.QPushButton, "meshButton").isEnabled()
+        return get("meshButton", "enabled")
 
     def run(self, seconds=150.0):
         """Meshes; the fractions and stages that the panel showed, and the longest time that the window was dead."""
-        bar = find(QtGui.QProgressBar, "progress")
         fractions, stages, longest = [], [], 0.0
         self.start()
         end = time.monotonic() + seconds
@@ -170,7 +155,7 @@ class Panel:
             longest = max(longest, pump(0.02))
             if self.is_idle():
                 return fractions, stages, longest
-            fractions.append(bar.value())
+            fractions.append(get("progress", "value"))
             stage = self.text_of("stage").split(",")[0]
             if not stages or stages[-1] != stage:
                 stages.append(stage)
@@ -179,7 +164,7 @@ class Panel:
     def stop(self, seconds=10.0):
         """Presses Stop; the seconds until the panel was ready for the next run."""
         asked = time.monotonic()
-        find(QtGui.QPushButton, "cancelButton").click()
+        click("cancelButton")
         pump(seconds, self.is_idle)
         assert self.is_idle(), "the run does not stop"
         return time.monotonic() - asked
