@@ -18,32 +18,47 @@ entries_of() {
     }
 }
 
-# Asking for each package by itself would take seconds where nothing is missing.
+# Asking for each package by itself would take seconds. No pipe to grep -q: what it no longer reads ends the program before it.
 read_installed() {
     installed=" $(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' | awk '$2 == "installed" { printf "%s ", $1 }')"
 }
 
-has_candidate() {
-    apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'
+read_known() {
+    known=" $(apt-cache policy "$@" 2>/dev/null | awk '/^[^ ]+:$/ { sub(/:$/, ""); name = $0 } /Candidate: [^(]/ { printf "%s ", name }')"
+}
+
+names_of() {
+    sed -e 's/,.*//' -e 's/|/ /g' <<<"$1"
 }
 
 # Whether the condition behind "a, where b needs c" holds; without one it does.
 is_wanted() {
     [[ "$1" =~ ,\ where\ ([^ ]+)\ needs\ ([^ ]+)$ ]] || return 0
-    apt-cache depends "${BASH_REMATCH[1]}" 2>/dev/null | grep -q "Depends: ${BASH_REMATCH[2]}"
+    [[ "$(apt-cache depends "${BASH_REMATCH[1]}" 2>/dev/null)" == *"Depends: ${BASH_REMATCH[2]}"* ]]
 }
 
 # Fills `missing` with what is to be installed for these entries, and `unknown` with those that no package is there for.
 look_for() {
-    local entry name chosen
+    local entry name chosen absent=() names
     missing=() unknown=()
     read_installed
     for entry in "$@"; do
+        for name in $(names_of "$entry"); do
+            [[ "$installed" != *" $name "* ]] || continue 2
+        done
+        absent+=("$entry")
+    done
+    [[ ${#absent[@]} -gt 0 ]] || return 0
+    mapfile -t names < <(printf '%s\n' "${absent[@]}" | sed -e 's/,.*//' -e 's/|/\n/g' | tr -d ' ')
+    read_known "${names[@]}"
+    for entry in "${absent[@]}"; do
         is_wanted "$entry" || continue
         chosen=
-        for name in $(sed -e 's/,.*//' -e 's/|/ /g' <<<"$entry"); do
-            [[ "$installed" != *" $name "* ]] || continue 2
-            [[ -n "$chosen" ]] || ! has_candidate "$name" || chosen=$name
+        for name in $(names_of "$entry"); do
+            if [[ "$known" == *" $name "* ]]; then
+                chosen=$name
+                break
+            fi
         done
         if [[ -n "$chosen" ]]; then missing+=("$chosen"); else unknown+=("${entry%%,*}"); fi
     done

@@ -15,7 +15,14 @@ STAND_INS = {
         """,
     "apt-cache": """
         case $1 in
-            policy) grep -qx "$2" "$KNOWN" && echo "  Candidate: 1.0" || echo "  Candidate: (none)" ;;
+            policy)
+                shift
+                for name; do
+                    grep -qx "$name" "$KNOWN" && printf '%s:\n  Candidate: 1.0\n' "$name" || printf '%s:\n  Candidate: (none)\n' "$name"
+                done
+                # Whoever stops reading early would end a real one.
+                seq 100000 || exit 141
+                ;;
             depends) [ "$2" = freecad-python3 ] && echo "  Depends: $QT" ;;
         esac
         exit 0
