@@ -5,13 +5,15 @@ import os
 import tempfile
 import unittest
 
+import Fem
 import FreeCAD
+import Mesh
 import Part
 
 import mesher
 from MesherWorkbench import make_mesh
 from MesherWorkbench.factory import _OPTIONS
-from MesherWorkbench.tools.inspection import MeshArrays, boundary_of, mesh_feature_of
+from MesherWorkbench.tools.inspection import MeshArrays, boundary_of, used_of
 from MesherWorkbench.tools.mesh_tool import MeshTool
 
 
@@ -433,9 +435,31 @@ class Inspection(_DocumentTest):
         near, far = arrays.beyond(2, 0.4), arrays.beyond(2, 0.6, is_flipped=True)
         self.assertEqual(len(near) + len(far), len(arrays.elements))
         for side in (near, far):
-            part = mesh_feature_of(arrays.nodes, boundary_of(side))
+            points, triangles = used_of(arrays.nodes, boundary_of(side))
+            self.assertEqual(len(points), triangles.max() + 1)
+            part = Mesh.Mesh(points[triangles].tolist())
             self.assertTrue(part.isSolid())
             self.assertGreater(part.Volume, 0.0)
+
+    def test_quadratic_elements_are_read_by_their_corners(self):
+        mesh = Fem.FemMesh()
+        for place in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (.5, 0, 0), (.5, .5, 0), (0, .5, 0), (0, 0, .5), (.5, 0, .5), (0, .5, .5)):
+            mesh.addNode(*place)
+        mesh.addVolume(list(range(1, 11)))
+        arrays = MeshArrays(mesh)
+        self.assertEqual(sorted(arrays.elements[0].tolist()), [0, 1, 2, 3])
+        self.assertAlmostEqual(arrays.worst(1)[0][1], 54.7356, places=3)
+
+    def test_other_elements_are_refused(self):
+        cube = Fem.FemMesh()
+        for place in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)):
+            cube.addNode(*place)
+        square = cube.copy() if hasattr(cube, "copy") else Fem.FemMesh(cube)
+        cube.addVolume([1, 2, 3, 4, 5, 6, 7, 8])
+        square.addFace([1, 2, 3, 4])
+        for mesh, words in ((cube, "1 hexahedra"), (square, "1 quadrilaterals")):
+            with self.assertRaisesRegex(ValueError, words):
+                MeshArrays(mesh)
 
     def test_worst_elements_have_the_angles_of_the_report(self):
         mesh = self._solid()

@@ -26,9 +26,13 @@ class _InspectCommand:
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             panel = TaskInspection(mesh)
+        except ValueError as others:
+            show_refusal(translated("The mesh has {others}: only tetrahedra and triangles are inspected.").format(others=others))
+            return
         finally:
             QtGui.QApplication.restoreOverrideCursor()
-        mesh.Document.openTransaction("Inspect mesh")
+        # What is selected has the colour of the selection, the worst element as well.
+        FreeCADGui.Selection.clearSelection()
         FreeCADGui.Control.showDialog(panel)
 
     @staticmethod

@@ -8,6 +8,7 @@ import mesher
 
 from ..messages import in_words_of_panel, show_refusal, translated
 from ..tools.meshed_shape import first_size, plane_faces
+from ..tools.undo_steps import UndoSteps
 
 _FIRST_CURVATURE = 12  # elements in a full turn
 
@@ -52,13 +53,17 @@ class _MeshCommand:
         from ..factory import make_mesh_object
         from ..taskpanels.task_mesh import TaskMesh
 
-        obj.Document.openTransaction(self._resources["MenuText"])
-        try:
+        def make():
             mesh = make_mesh_object(source, dimension=dimension, size=first_size(obj.Shape), curvature=_FIRST_CURVATURE)
             _add_to_active_analysis(mesh)
-            panel = TaskMesh(mesh, isNew=True)
+            return mesh
+
+        steps = UndoSteps(obj.Document)
+        try:
+            panel = TaskMesh(steps.record(self._resources["MenuText"], make), steps, is_new=True)
         except Exception as error:
-            obj.Document.abortTransaction()
+            steps.take_back()
+            steps.end()
             show_refusal(in_words_of_panel(error))
             return
         FreeCADGui.Control.showDialog(panel)

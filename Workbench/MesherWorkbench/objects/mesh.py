@@ -1,5 +1,9 @@
 """The mesh object of a document. Properties are named as those of FEM's own mesh objects where they mean the same."""
 
+import FreeCAD
+
+from ..tools.meshed_shape import differs_from_mesh
+
 _DIMENSIONS = ["From Shape", "2D", "3D"]
 _ORDERS = ["1st", "2nd"]
 _OVERLAPS = ["separate", "refuse"]
@@ -42,13 +46,15 @@ _PROPERTIES = (
     ("App::PropertyInteger", "MaxWallElements", "Run", "That thin walls, gaps and cusps may take; -1 is about as many as the sizes ask for", -1),
     ("App::PropertyFloat", "Timeout", "Run", "Seconds after which the run ends; 0 is no limit", 0.0),
     ("App::PropertyString", "Report", "Result", "What the last run did, as JSON", ""),
+    ("App::PropertyBool", "IsStale", "Result", "Whether the shape has changed since it was meshed", False),
+    ("App::PropertyString", "ShapeHash", "Result", "Of the shape that was meshed", ""),
     ("App::PropertyInteger", "NodeCount", "Result", "Nodes of the mesh", 0),
     ("App::PropertyInteger", "ElementCount", "Result", "Elements of highest dimension", 0),
     ("App::PropertyFloat", "SmallestAngle", "Result", "Degrees; dihedral in solids", 0.0),
     ("App::PropertyFloat", "LargestAngle", "Result", "Degrees; dihedral in solids", 0.0),
 )
 _SAME = {"Part": "Shape", "Shape": "Part"}
-_RESULTS = ("Report", "NodeCount", "ElementCount", "SmallestAngle", "LargestAngle")
+_RESULTS = ("IsStale", "Report", "ShapeHash", "NodeCount", "ElementCount", "SmallestAngle", "LargestAngle")
 
 
 class MesherMesh:
@@ -73,7 +79,11 @@ class MesherMesh:
 
     def execute(self, obj):
         # Meshing is asked for by a command, as with FEM's own mesh objects: a recompute must not take minutes.
-        pass
+        is_stale = differs_from_mesh(obj)
+        if is_stale and not obj.IsStale:
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: its shape has changed since it was meshed; mesh it again.\n")
+        if is_stale != obj.IsStale:
+            obj.IsStale = is_stale
 
     def __getstate__(self):
         return None
@@ -83,6 +93,10 @@ class MesherMesh:
 
     dumps = __getstate__
     loads = __setstate__
+
+
+def is_mesh_object(obj):
+    return getattr(getattr(obj, "Proxy", None), "Type", None) == MesherMesh.Type
 
 
 def add_properties(obj):
@@ -97,4 +111,4 @@ def add_properties(obj):
         obj.Shape = obj.Part
     obj.setEditorMode("Shape", 2)
     for name in _RESULTS:
-        obj.setEditorMode(name, 2 if name == "Report" else 1)
+        obj.setEditorMode(name, 2 if name in ("Report", "ShapeHash") else 1)

@@ -1,10 +1,10 @@
-"""Tells a panel that its document is being closed, or its object deleted."""
+"""Tells a panel that its document is being closed, or its object deleted, by an undo for one."""
 import FreeCAD
 from PySide import QtCore
 
 
 class DocumentWatch:
-    """Calls `leave` behind the closing of a document, and `let_go` before the object, or the document with it, is deleted."""
+    """Calls `let_go` before the object, or the document with it, is deleted, and `leave` afterwards."""
 
     def __init__(self, obj, leave, let_go=lambda: None):
         self._obj = obj
@@ -15,13 +15,16 @@ class DocumentWatch:
 
     def slotDeletedDocument(self, document):
         if document.Name == self._document_name:
-            self._let_go()
-            # Behind the closing, which is in the middle of its work.
-            QtCore.QTimer.singleShot(0, self._leave)
+            self._on_end()
 
     def slotDeletedObject(self, obj):
         if obj == self._obj:
-            self._let_go()
+            self._on_end()
+
+    def _on_end(self):
+        self._let_go()
+        # Behind what deletes, which is in the middle of its work.
+        QtCore.QTimer.singleShot(0, self._leave)
 
     def end(self):
         FreeCAD.removeDocumentObserver(self)

@@ -29,12 +29,15 @@ _LOCAL_KINDS = ("Solid", *_SHOWN_KINDS)
 
 
 class TaskMesh:
-    def __init__(self, obj, isNew=False):
+    def __init__(self, obj, steps, is_new=False):
         self._obj = obj
+        self._steps = steps
+        self._expressions = dict(obj.ExpressionEngine)
+        self._was_touched = "Touched" in obj.State
         self._document_name = obj.Document.Name
         self._watch = DocumentWatch(obj, self.leave, self._let_lengths_go)
         self._is_open = True
-        self._is_new = isNew
+        self._is_new = is_new
         self._tool = None
         self._task = None
         self._estimate = None
@@ -49,7 +52,7 @@ class TaskMesh:
         self.form.setWindowIcon(QtGui.QIcon(resources.icon("MesherMeshSolid")))
         self._show_options()
         self._show_result()
-        for signal, slot in (("meshRequested()", self._start), ("cancelRequested()", self._cancel),
+        for signal, slot in (("meshRequested()", self.start), ("cancelRequested()", self._cancel),
                              ("optionsChanged()", self._on_options_changed), ("selectionWanted()", self._add_selected)):
             QtCore.QObject.connect(self.form, QtCore.SIGNAL(signal), slot)
         QtGui.QApplication.instance().aboutToQuit.connect(self._cancel)
@@ -62,22 +65,15 @@ class TaskMesh:
     def accept(self):
         if self._task is not None:
             return False
-        self._take_over()
-        document = self._document()
+        if self._is_alive() and (self._changes() or self._changed_expressions()):
+            self._record(translated("Edit mesh"))
         self._close()
-        if document is not None:
-            document.commitTransaction()
         return True
 
     def reject(self):
         self._cancel()
         self._task = None
-        if self._is_new and self._is_alive():
-            show_part_instead_of_mesh(self._obj)
-        document = self._document()
-        self._close()
-        if document is not None:
-            document.abortTransaction()
+        self._close(self._take_back)
         return True
 
     def leave(self):
@@ -87,7 +83,23 @@ class TaskMesh:
             self._task = None
             self._close()
 
-    def _close(self):
+    def _take_back(self):
+        """What is in the document as it was before the panel opened."""
+        if not self._is_alive():
+            return
+        self._put_back_expressions()
+        if self._steps.take_back():
+            if self._is_alive() and not self._was_touched:
+                self._obj.purgeTouched()
+        elif self._is_new:
+            # Others have changed the document meanwhile, which stays.
+            show_part_instead_of_mesh(self._obj)
+            self._steps.record(translated("Cancel"), lambda: self._obj.Document.removeObject(self._obj.Name))
+        else:
+            FreeCAD.Console.PrintWarning(translated("{label}: other changes of the document came after; use Undo to take this mesh back.\n")
+                                         .format(label=self._obj.Label))
+
+    def _close(self, then=lambda: None):
         self._is_open = False
         if self._estimate is not None:
             self._estimate.cancel()
@@ -98,6 +110,9 @@ class TaskMesh:
         if self._document() is not None:
             FreeCADGui.getDocument(self._document_name).resetEdit()
         FreeCADGui.Control.closeDialog()
+        if self._document() is not None:
+            then()
+        self._steps.end()
 
     # between form and object
     def _document(self):
@@ -128,16 +143,42 @@ class TaskMesh:
         self.form.setProperty("localSizes", {name: FreeCAD.Units.Quantity(length).Value
                                              for name, length in self._obj.LocalSizes.items()})
 
-    def _take_over(self):
-        """The form's values into the object."""
-        if not self._is_alive():
-            return
-        for name, property_name in _LENGTHS + _NUMBERS:
-            value = self.form.property(name)
-            shown = getattr(self._obj, property_name)
-            if getattr(shown, "Value", shown) != value:
+    def _values(self):
+        """Of the form, by properties of the object."""
+        values = {property_name: FreeCAD.Units.Quantity(self.form.property(name), FreeCAD.Units.Length) for name, property_name in _LENGTHS}
+        values.update((property_name, self.form.property(name)) for name, property_name in _NUMBERS)
+        values["LocalSizes"] = {name: f"{size!r} mm" for name, size in self.form.property("localSizes").items()}
+        return values
+
+    def _changes(self):
+        """The values of the form that are not those of the object."""
+        return {name: value for name, value in self._values().items() if getattr(self._obj, name) != value}
+
+    def _changed_expressions(self):
+        """Those that were typed into fields, or deleted there; None for these. FreeCAD has them in the object at once."""
+        now = dict(self._obj.ExpressionEngine)
+        return {path: now.get(path) for path in {*now, *self._expressions} if now.get(path) != self._expressions.get(path)}
+
+    def _put_back_expressions(self):
+        changed = self._changed_expressions()
+        for path in changed:
+            self._obj.setExpression(path, self._expressions.get(path))
+        return changed
+
+    def _record(self, name, then=lambda: None):
+        """The form into the object, and what `then` does, as one step of undo."""
+        expressions = self._put_back_expressions()
+
+        def change():
+            for path, expression in expressions.items():
+                self._obj.setExpression(path, expression)
+            for property_name, value in self._changes().items():
                 setattr(self._obj, property_name, value)
-        self._obj.LocalSizes = {name: f"{size!r} mm" for name, size in self.form.property("localSizes").items()}
+            then()
+            self._obj.purgeTouched()
+
+        self._steps.record(name, change)
+        self._expressions = dict(self._obj.ExpressionEngine)
 
     def _show_result(self):
         self.form.setProperty("summary", texts.summary_of(self._obj))
@@ -169,8 +210,7 @@ class TaskMesh:
         if self._task is not None:
             return
         try:
-            self._take_over()
-            tool = MeshTool(self._obj)
+            tool = MeshTool(self._obj, self._values())
         except Exception as error:
             self.form.setProperty("estimate", in_words_of_panel(error))
             return
@@ -188,14 +228,13 @@ class TaskMesh:
             self.form.setProperty("estimate", in_words_of_panel(task.error) if is_option else "")
 
     # the run
-    def _start(self):
+    def start(self):
         if self._task is not None:
             return
         try:
             if not self._is_alive():
                 raise ValueError(translated("The mesh object was deleted. Close this panel."))
-            self._take_over()
-            self._tool = MeshTool(self._obj)
+            self._tool = MeshTool(self._obj, self._values())
         except Exception as error:
             self._finish(in_words_of_panel(error))
             show_refusal(in_words_of_panel(error))
@@ -247,10 +286,9 @@ class TaskMesh:
         if not self._is_alive():
             self._finish(translated("The mesh object was deleted."))
             return
-        self._fill_in(mesh)
+        self._record(translated("Mesh"), lambda: self._fill_in(mesh))
         self._finish(texts.done_text(time.monotonic() - self._started_at), fraction=1.0)
         self._show_result()
-        show_mesh_instead_of_part(self._obj)
 
     def _fill_in(self, mesh):
         """FreeCAD takes seconds for a million elements, in which its window rests."""
@@ -259,6 +297,7 @@ class TaskMesh:
         try:
             QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
             self._tool.fill_in(mesh)
+            show_mesh_instead_of_part(self._obj)
         finally:
             QtGui.QApplication.restoreOverrideCursor()
 

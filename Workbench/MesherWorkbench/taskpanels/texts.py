@@ -41,7 +41,8 @@ def summary_of(obj):
         rows.append((translated("Volume"), translated("{share:.3f} % of the shape's").format(share=100.0 * volume / wanted)))
     cells = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td align='right'><b>{value}</b></td></tr>" for name, value in rows)
     warnings = "".join(f"<p>{html.escape(text)}</p>" for text in report.get("warnings", []))
-    return f"<table>{cells}</table>{warnings}"
+    stale = f"<p><b>{translated('The shape has changed since: mesh it again.')}</b></p>" if obj.IsStale else ""
+    return f"{stale}<table>{cells}</table>{warnings}"
 
 
 def histogram_of(obj):

@@ -1,16 +1,15 @@
 """What is inside of a mesh: cuts by whole elements, and the elements with the worst angles. Works on arrays."""
-import os
-import tempfile
-
 import numpy
 
 _FACES_OF_TET = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
 
 
 class MeshArrays:
-    """Nodes and elements of highest dimension of a Fem.FemMesh: tetrahedra with positive volume, or triangles."""
+    """Nodes and elements of highest dimension of a Fem.FemMesh: tetrahedra with positive volume, or triangles, by their corners.
+    Raises ValueError for others."""
 
     def __init__(self, fem_mesh):
+        _refuse_others(fem_mesh)
         places = fem_mesh.Nodes
         numbers = numpy.array(sorted(places), dtype=numpy.int64)
         self.nodes = numpy.array([tuple(places[number]) for number in numbers.tolist()]).reshape(-1, 3)
@@ -59,25 +58,20 @@ def boundary_of(elements):
     return faces[order[~is_shared]]
 
 
-def mesh_feature_of(nodes, triangles):
-    """A Mesh.Mesh of some of the triangles' nodes."""
-    import Mesh
-
-    from mesher.model_argument import memory_directory
-
+def used_of(nodes, triangles):
+    """The nodes that the triangles have, and the triangles by numbers of these."""
     used, renumbered = numpy.unique(triangles, return_inverse=True)
-    rows = numpy.empty(len(triangles), dtype=[("count", "u1"), ("corners", "<i4", 3)])
-    rows["count"] = 3
-    rows["corners"] = renumbered.reshape(-1, 3)
-    with tempfile.TemporaryDirectory(dir=memory_directory()) as directory:
-        path = os.path.join(directory, "part.ply")
-        with open(path, "wb") as file:
-            file.write(b"ply\nformat binary_little_endian 1.0\nelement vertex %d\n" % len(used))
-            file.write(b"property float x\nproperty float y\nproperty float z\n")
-            file.write(b"element face %d\nproperty list uchar int vertex_indices\nend_header\n" % len(triangles))
-            file.write(nodes[used].astype("<f4").tobytes())
-            file.write(rows.tobytes())
-        return Mesh.Mesh(path)
+    return nodes[used], renumbered.reshape(-1, 3)
+
+
+def _refuse_others(fem_mesh):
+    counts = {"hexahedra": fem_mesh.HexaCount, "prisms": fem_mesh.PrismCount, "pyramids": fem_mesh.PyramidCount,
+              "polyhedra": fem_mesh.PolyhedronCount}
+    if not fem_mesh.VolumeCount:
+        counts = {"quadrilaterals": fem_mesh.QuadrangleCount, "polygons": fem_mesh.PolygonCount}
+    found = [f"{count} {kind}" for kind, count in counts.items() if count]
+    if found:
+        raise ValueError(" and ".join(found))
 
 
 def _turned_positive(nodes, tets):

@@ -8,15 +8,19 @@ import FreeCAD
 import mesher
 
 from . import size_words
+from .mesh_draft import MeshDraft
 from .meshed_shape import meshed_shape
+from .shape_hash import hash_of
 
 
 class MeshTool:
-    """One run of the mesher for one mesh object."""
+    """One run of the mesher for one mesh object; `values` are in place of those of its properties."""
 
-    def __init__(self, obj):
+    def __init__(self, obj, values=None):
         self._obj = obj
+        obj = MeshDraft(obj, values or {})
         shape = meshed_shape(obj)
+        self._hash = hash_of(obj.Part.Shape)
         self._names = shape.names
         self._model = mesher.model_of(shape.shape, obj.HealShape)
         self._options = options_of(obj, shape)
@@ -53,6 +57,8 @@ class MeshTool:
         obj.Report = json.dumps(report)
         for text in report["warnings"]:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
+        obj.ShapeHash = self._hash
+        obj.IsStale = False
         obj.purgeTouched()
 
 

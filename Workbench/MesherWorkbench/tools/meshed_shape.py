@@ -3,6 +3,8 @@ import Part
 
 import mesher
 
+from .shape_hash import hash_of
+
 _KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 
 
@@ -41,6 +43,15 @@ def meshed_shape(obj):
     if not part.Faces and part.Wires:
         return MeshedShape(part, plane_faces(obj.Part))
     return MeshedShape(part, part)
+
+
+def differs_from_mesh(obj):
+    """Whether the shape of a mesh object is another one than that of its mesh."""
+    if not obj.ShapeHash:
+        return False
+    if obj.Part is None or obj.Part.Shape.isNull():
+        return True
+    return hash_of(obj.Part.Shape) != obj.ShapeHash
 
 
 def plane_faces(part):

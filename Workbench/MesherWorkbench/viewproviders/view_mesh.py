@@ -3,12 +3,15 @@ import FreeCADGui
 
 from .. import resources
 from ..messages import show_refusal, translated
+from ..tools.undo_steps import UndoSteps
 
 _FACE_COLOUR = (0.62, 0.78, 0.92)
 _LINE_WIDTH = 1.0  # pixels
 
 
 class ViewMesherMesh:
+    _starts = False  # whether the panel that opens begins a run
+
     def __init__(self, view):
         view.Proxy = self
         view.DisplayMode = "Faces & Wireframe"
@@ -16,7 +19,11 @@ class ViewMesherMesh:
         view.LineWidth = _LINE_WIDTH
 
     def getIcon(self):
-        return resources.icon("MesherMeshSolid")
+        return resources.icon("MesherStaleMesh" if self.ViewObject.Object.IsStale else "MesherMeshSolid")
+
+    def updateData(self, obj, name):
+        if name == "IsStale":
+            obj.ViewObject.signalChangeIcon()
 
     def attach(self, view):
         self.ViewObject = view
@@ -25,14 +32,31 @@ class ViewMesherMesh:
         return self.ViewObject.Object.MeshRegionList
 
     def setEdit(self, view, mode):
+        return self._open_panel(view) is not None
+
+    def update(self):
+        """Meshes anew, in the panel."""
+        document = FreeCADGui.getDocument(self.ViewObject.Object.Document.Name)
+        self._starts = True
+        try:
+            document.setEdit(self.ViewObject.Object.Name)
+        finally:
+            self._starts = False
+
+    def setupContextMenu(self, view, menu):
+        menu.addAction(translated("Update mesh")).triggered.connect(self.update)
+
+    def _open_panel(self, view):
         from ..taskpanels.task_mesh import TaskMesh
 
         if FreeCADGui.Control.activeDialog():
             show_refusal(translated("Another task is open. Finish it first."))
-            return False
-        view.Object.Document.openTransaction(translated("Edit mesh"))
-        FreeCADGui.Control.showDialog(TaskMesh(view.Object))
-        return True
+            return None
+        panel = TaskMesh(view.Object, UndoSteps(view.Object.Document))
+        FreeCADGui.Control.showDialog(panel)
+        if self._starts:
+            panel.start()
+        return panel
 
     def unsetEdit(self, view, mode):
         FreeCADGui.Control.closeDialog()
