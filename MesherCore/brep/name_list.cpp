@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <sstream>
 
 namespace mesher {
 
@@ -17,6 +18,14 @@ std::string listOf(const std::vector<std::string>& names)
     }
     if (shown < names.size()) list += " and " + std::to_string(names.size() - shown) + " more";
     return list;
+}
+
+std::string roughNumber(double value)
+{
+    std::ostringstream text;
+    text.precision(3);
+    text << value;
+    return text.str();
 }
 
 }  // namespace mesher

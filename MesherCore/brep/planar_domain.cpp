@@ -1,12 +1,12 @@
 #include "brep/planar_domain.h"
 
 #include "brep/curve_crossings.h"
+#include "brep/name_list.h"
 #include "brep/planarity.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -17,14 +17,6 @@ namespace {
 Error broken(std::string entity, std::string message, std::optional<Vec3> point, std::string remedy)
 {
     return Error{ErrorCode::DegenerateInput, std::move(message), std::move(entity), point, std::move(remedy)};
-}
-
-std::string shortNumber(double value)
-{
-    std::ostringstream text;
-    text.precision(3);
-    text << value;
-    return text.str();
 }
 
 /// The regions beside an edge; both the same for one that lies in a face.
@@ -101,7 +93,7 @@ private:
         if (largest <= allowed) return {};
         return broken(nameOf(id),
                       "the face lies in another plane than " + complex_.regionNames.front() +
-                          ": its boundary is up to " + shortNumber(largest) + " off that",
+                          ": its boundary is up to " + roughNumber(largest) + " off that",
                       worst, "mesh the faces of each plane on their own");
     }
 
@@ -119,7 +111,7 @@ private:
         if (isTurned) area = -area;
         if (std::abs(area) <= std::max(face.tolerance, 1e-12 * length_) * length_) {
             return broken(nameOf(id),
-                          "the face has no area (" + shortNumber(area) +
+                          "the face has no area (" + roughNumber(area) +
                               "): its wire runs back on itself or crosses itself",
                           {}, "remove or repair the face");
         }
@@ -235,7 +227,7 @@ private:
         const double allowed = std::max(edge.tolerance, 1e-7);
         if (largest <= allowed) return {};
         return broken(nameOf(id),
-                      "the edge lies " + shortNumber(largest) + " off the plane of " +
+                      "the edge lies " + roughNumber(largest) + " off the plane of " +
                           complex_.regionNames.front(),
                       worst, "name faces of one plane, or repair the edge");
     }

@@ -96,6 +96,8 @@ public:
     {
         return std::make_unique<ProjectedParameterCurve>(curve_->clone(), surface_->clone(), rough_->clone());
     }
+    /// What the projection begins at.
+    [[nodiscard]] const ParameterCurve& rough() const { return *rough_; }
 
 private:
     std::unique_ptr<Curve> curve_;

@@ -1,6 +1,7 @@
 #include "brep/occt/model_builder.h"
 
 #include "brep/analytic/parameter_curves.h"
+#include "brep/edge_fitting.h"
 #include "brep/model_box.h"
 #include "brep/name_list.h"
 #include "brep/occt/occt_convert.h"
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -38,14 +38,6 @@ constexpr const char* kRepairRemedy = "repair the shape in the CAD program or re
 Error broken(std::string entity, std::string message)
 {
     return Error{ErrorCode::DegenerateInput, std::move(message), std::move(entity), {}, kRepairRemedy};
-}
-
-std::string shortNumber(double value)
-{
-    std::ostringstream text;
-    text.precision(3);
-    text << value;
-    return text.str();
 }
 
 template <class IdType>
@@ -88,6 +80,7 @@ public:
             auto added = guarded(name, kRepairRemedy, [&] { return addFace(TopoDS::Face(faces_(i)), name); });
             if (!added) return added.error();
         }
+        fitting_.finish();
         addSolids();
         noteStrayEntities();
         model_.box = boxOf(model_);
@@ -158,7 +151,7 @@ private:
             const BrepVertex& vertex = model_.vertices[id];
             const double gap = length(edge.curve->position(t) - vertex.position);
             if (gap > std::max(vertex.tolerance, edge.tolerance)) {
-                note(name, "ends " + shortNumber(gap) + " away from " + nameOf(id));
+                note(name, "ends " + roughNumber(gap) + " away from " + nameOf(id));
             }
         }
     }
@@ -221,7 +214,7 @@ private:
             BrepCoedge coedge{id, edge.Orientation() == TopAbs_REVERSED,
                               parameterCurve(edge, face, id, result, name), 0.0};
             if (!coedge.parameterCurve) return broken(name, nameOf(id) + " has no parameter curve on it");
-            fitToEdge(coedge, result, name);
+            fitting_.fit(coedge, result);
             coedges.push_back(std::move(coedge));
         }
         return coedges;
@@ -276,46 +269,6 @@ private:
         }
         if (geometry.IsNull()) return nullptr;
         return makeParameterCurve(nameOf(id) + " on " + name, geometry, {first, last}, own.part);
-    }
-
-    /// Largest distance between the edge and its lift by the parameter curve.
-    double measureGap(const BrepEdge& edge, const ParameterCurve& parameterCurve,
-                      const Surface& surface) const
-    {
-        constexpr int kSamples = 16;
-        double gap = 0.0;
-        for (int i = 0; i <= kSamples; ++i) {
-            const double t = edge.part.at(static_cast<double>(i) / kSamples);
-            const Vec3 exact =
-                edge.isDegenerate ? model_.vertices[edge.first].position : edge.curve->position(t);
-            gap = std::max(gap, length(surface.position(parameterCurve.position(t)) - exact));
-        }
-        return gap;
-    }
-
-    /// Measures the coedge's gap; where its parameter curve runs beside the edge or ahead of it, points of the edge projected
-    /// on the surface take its place if they are nearer.
-    void fitToEdge(BrepCoedge& coedge, const BrepFace& face, const std::string& name)
-    {
-        const BrepEdge& edge = model_.edges[coedge.edge];
-        coedge.gap = measureGap(edge, *coedge.parameterCurve, *face.surface);
-        double allowed = std::max(edge.tolerance, face.tolerance);
-        if (edge.isDegenerate) allowed = std::max(allowed, model_.vertices[edge.first].tolerance);
-        if (coedge.gap > Precision::Confusion() && edge.curve) {
-            auto fitted = std::make_shared<ProjectedParameterCurve>(
-                edge.curve->clone(), face.surface->clone(), coedge.parameterCurve->clone());
-            const double fittedGap = measureGap(edge, *fitted, *face.surface);
-            if (fittedGap < 0.5 * coedge.gap) {
-                if (coedge.gap > allowed) {
-                    note(nameOf(coedge.edge), "has a parameter curve " + shortNumber(coedge.gap) +
-                                                  " off on " + name + ", replaced by projection");
-                }
-                coedge.parameterCurve = std::move(fitted);
-                coedge.gap = fittedGap;
-            }
-        }
-        if (coedge.gap > allowed)
-            note(nameOf(coedge.edge), "lies up to " + shortNumber(coedge.gap) + " off " + name);
     }
 
     /// Lies in a solid and bounds nothing of it.
@@ -398,6 +351,7 @@ private:
     TopTools_IndexedMapOfShape faces_;
     TopTools_IndexedMapOfShape solids_;
     BrepModel model_;
+    EdgeFitting fitting_{model_};
 };
 
 }  // namespace
