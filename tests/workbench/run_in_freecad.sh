@@ -33,4 +33,4 @@ FreeCAD.saveParameter()
 PREFERENCES
 freecadcmd "$preferences" </dev/null >/dev/null 2>&1
 
-DISPLAY=":$(cat "$display")" timeout -k 5 240 env "$@" freecad "$macro" -M "$module_directory" </dev/null
+DISPLAY=":$(cat "$display")" timeout -k 5 "${PATIENCE:-240}" env "$@" freecad "$macro" -M "$module_directory" </dev/null

@@ -93,11 +93,14 @@ class TaskMesh:
                 self._obj.purgeTouched()
         elif self._is_new:
             # Others have changed the document meanwhile, which stays.
-            show_part_instead_of_mesh(self._obj)
-            self._steps.record(translated("Cancel"), lambda: self._obj.Document.removeObject(self._obj.Name))
+            self._steps.record(translated("Cancel"), self._remove)
         else:
             FreeCAD.Console.PrintWarning(translated("{label}: other changes of the document came after; use Undo to take this mesh back.\n")
                                          .format(label=self._obj.Label))
+
+    def _remove(self):
+        show_part_instead_of_mesh(self._obj)
+        self._obj.Document.removeObject(self._obj.Name)
 
     def _close(self, then=lambda: None):
         self._is_open = False

@@ -7,6 +7,7 @@ class UndoSteps:
     def __init__(self, document):
         self._name = document.Name
         self._names = []
+        self._stack = list(document.UndoNames)
         self._is_own = False
         self._are_last = True
         FreeCAD.addDocumentObserver(self)
@@ -24,6 +25,7 @@ class UndoSteps:
         else:
             document.commitTransaction()
             self._names.append(name)
+            self._stack = list(document.UndoNames)
             return result
         finally:
             self._is_own = False
@@ -43,6 +45,7 @@ class UndoSteps:
         finally:
             self._is_own = False
         self._names = []
+        self._stack = list(document.UndoNames)
         return True
 
     def end(self):
@@ -50,7 +53,9 @@ class UndoSteps:
 
     # what FreeCAD tells of documents
     def slotCommitTransaction(self, document):
-        self._on_step(document)
+        # FreeCAD tells of transactions in which nothing was done as well.
+        if document.Name == self._name and list(document.UndoNames) != self._stack:
+            self._on_step(document)
 
     def slotUndoDocument(self, document):
         self._on_step(document)
