@@ -240,6 +240,29 @@ class PartAndShape(_DocumentTest):
             make_mesh(self.mesh)
 
 
+class SeveralObjects(_DocumentTest):
+    def test_each_solid_has_the_label_of_its_object(self):
+        parts = [self._feature(Part.makeBox(1, 1, 1, FreeCAD.Vector(2 * i, 0, 0))) for i in range(3)]
+        for part, label in zip(parts, ("shaft", "wheel", "wheel")):
+            part.Label = label
+        mesh = make_mesh(parts, size=0.5)
+        solids = [part.Label for part in parts]
+        groups = {mesh.FemMesh.getGroupName(group) for group in mesh.FemMesh.Groups}
+        self.assertLessEqual({*solids, f"{parts[0].Name}.Face1", f"{parts[2].Name}.Face6"}, groups)
+        self.assertEqual(len([name for name in groups if "Face" not in name]), 3)
+
+    def test_a_part_in_a_container_is_meshed_where_it_is(self):
+        group = self.document.addObject("App::Part", "Group")
+        part = self._feature(Part.makeBox(1, 1, 1))
+        group.addObject(part)
+        group.Placement.Base = FreeCAD.Vector(5, 0, 0)
+        self.document.recompute()
+        mesh = make_mesh(part, size=0.5)
+        self.assertAlmostEqual(min(node.x for node in mesh.FemMesh.Nodes.values()), 5.0)
+        mesh = make_mesh(group, size=0.5)
+        self.assertAlmostEqual(min(node.x for node in mesh.FemMesh.Nodes.values()), 5.0)
+
+
 class Refusals(_DocumentTest):
     def test_object_without_a_shape(self):
         with self.assertRaises(TypeError):
@@ -248,6 +271,12 @@ class Refusals(_DocumentTest):
     def test_empty_shape(self):
         with self.assertRaises(mesher.ModelError):
             make_mesh(self.document.addObject("Part::Feature", "Empty"))
+
+    def test_faces_of_several_objects(self):
+        one, other = (self._feature(Part.makeBox(1, 1, 1)) for _ in range(2))
+        for source in ([], [one, (other, ["Face1"])]):
+            with self.assertRaises(ValueError):
+                make_mesh(source)
 
     def test_senseless_size(self):
         with self.assertRaises((ValueError, mesher.MesherError)):

@@ -45,8 +45,9 @@ def make_mesh(source, *, name="Mesh", progress=None, **options):
     """Makes a mesh object in the document of `source`, meshes it and returns it.
 
     `source` is a document object, one with the names of its faces (box, ["Face1", "Face6"]), a selection object of the GUI, or
-    a list with one of them. Options are those of mesher.mesh but for `faces`, which are those of the source; `size_points` and
-    `background` are paths, since the object keeps them. `progress(stage, fraction)` ends the run by returning False.
+    a list of these: several objects become one mesh, each solid in a group of its label. Options are those of mesher.mesh but for
+    `faces`, which are those of the source; `size_points` and `background` are paths, since the object keeps them.
+    `progress(stage, fraction)` ends the run by returning False.
 
     Raises what mesher.mesh raises; the document has no mesh object then.
     """
@@ -76,6 +77,9 @@ def make_mesh_object(source, *, name="Mesh", **options):
     try:
         MesherMesh(obj)
         obj.Part = part
+        if isinstance(source, list) and len(source) > 1:
+            obj.Containers = [_part_and_names(one)[0] for one in source]
+            obj.ContainerPaths = [""] * len(source)
         if names:
             obj.References = [(part, tuple(names))]
         _set_options(obj, is_faces=bool(names), **options)
@@ -111,9 +115,12 @@ def _set_options(obj, is_faces, dimension=None, order=1, local_sizes=None, heal=
 
 def _part_and_names(source):
     if isinstance(source, list):
-        if len(source) != 1:
-            raise ValueError(f"one object is meshed at a time, not {len(source)}")
-        source = source[0]
+        if not source:
+            raise ValueError("there is nothing to mesh in an empty list")
+        parts_and_names = [_part_and_names(one) for one in source]
+        if len(source) > 1 and any(names for _, names in parts_and_names):
+            raise ValueError("faces are those of one object; several are meshed as wholes")
+        return parts_and_names[0]
     if isinstance(source, tuple):
         part, names = source
         return part, list(names)

@@ -3,24 +3,30 @@ import sys
 
 import FreeCAD
 import FreeCADGui
+import Part
 
 import mesher
 
 from ..messages import in_words_of_panel, show_refusal, translated
 from ..tools.meshed_shape import first_size, plane_faces
+from ..tools.places import Place, object_at, pieces_at, place_of
 from ..tools.undo_steps import UndoSteps
 
 _FIRST_CURVATURE = 12  # elements in a full turn
 
 
 def _selected():
-    """The selected object and the names of its selected faces; without a selection the active body."""
-    selection = FreeCADGui.Selection.getSelectionEx()
-    if selection:
-        return selection[0].Object, [n for n in selection[0].SubElementNames if n.startswith("Face")], len(selection)
+    """The places that are selected, and the names of selected faces there; without a selection the active body."""
+    picked = {}
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        for sub in selected.SubElementNames or ("",):
+            place, element = place_of(selected.Object, sub)
+            picked.setdefault(place, []).extend([element] if element.startswith("Face") else [])
+    if picked:
+        return picked
     view = FreeCADGui.ActiveDocument.ActiveView if FreeCADGui.ActiveDocument else None
     body = view.getActiveObject("pdbody") if hasattr(view, "getActiveObject") else None
-    return body, [], 1 if body else 0
+    return {Place(body, ""): []} if body else {}
 
 
 def _add_to_active_analysis(mesh):
@@ -43,22 +49,29 @@ class _MeshCommand:
         return FreeCAD.ActiveDocument is not None
 
     def Activated(self):
-        obj, faces, count = _selected()
-        refusal = self._refusal(obj, count)
+        picked = _selected()
+        refusal = self._refusal(picked)
         if refusal is None:
-            source, dimension, refusal = self._choose(obj, faces)
+            faces = [name for names in picked.values() for name in names]
+            pieces = [piece for place in picked for piece in pieces_at(place)]
+            dimension, refusal = self._choose(pieces, faces)
         if refusal is not None:
             show_refusal(refusal)
             return
         from ..factory import make_mesh_object
         from ..taskpanels.task_mesh import TaskMesh
 
+        part = object_at(next(iter(picked)))
+
         def make():
-            mesh = make_mesh_object(source, dimension=dimension, size=first_size(obj.Shape), curvature=_FIRST_CURVATURE)
+            size = first_size(Part.makeCompound([piece.shape for piece in pieces]))
+            mesh = make_mesh_object((part, faces if dimension == 2 else []), dimension=dimension, size=size, curvature=_FIRST_CURVATURE)
+            mesh.Containers = [place.top for place in picked]
+            mesh.ContainerPaths = [place.path for place in picked]
             _add_to_active_analysis(mesh)
             return mesh
 
-        steps = UndoSteps(obj.Document)
+        steps = UndoSteps(part.Document)
         try:
             panel = TaskMesh(steps.record(self._resources["MenuText"], make), steps, is_new=True)
         except Exception as error:
@@ -69,46 +82,50 @@ class _MeshCommand:
         FreeCADGui.Control.showDialog(panel)
 
     @staticmethod
-    def _refusal(obj, count):
+    def _refusal(picked):
         if FreeCADGui.Control.activeDialog():
             return translated("Another task is open. Finish it first.")
-        if obj is None:
+        if not picked:
             return translated("Nothing is selected. Select a solid, faces or a sketch first.")
-        if count > 1:
-            return translated("Several objects are selected. Select one, or join them first.")
-        if obj.isDerivedFrom("Fem::FemMeshObject") or obj.isDerivedFrom("Mesh::Feature"):
+        objects = [object_at(place) for place in picked]
+        if any(obj.isDerivedFrom("Fem::FemMeshObject") or obj.isDerivedFrom("Mesh::Feature") for obj in objects):
             return translated("A mesh is selected. Select the shape it was made of.")
-        if not hasattr(obj, "Shape") or obj.Shape.isNull():
+        if len(picked) > 1 and any(picked.values()):
+            return translated("Faces of several objects are selected. Select faces of one, or whole objects.")
+        if not all(pieces_at(place) for place in picked):
             return translated("The selected object has no shape. Recompute the document or select another one.")
         return None
 
 
-def _choose_solid(obj, faces):
-    if not obj.Shape.Solids:
-        return None, None, translated("The selection has no solid. Its faces can be meshed by Mesh faces.")
-    return obj, 3, None
+def _choose_solid(pieces, faces):
+    if not any(piece.shape.Solids for piece in pieces):
+        return None, translated("The selection has no solid. Its faces can be meshed by Mesh faces.")
+    return 3, None
 
 
-def _choose_faces(obj, faces):
-    if not obj.Shape.Faces:
-        return None, None, translated("The selection has no face.")
-    return ((obj, faces) if faces else obj), 2, None
+def _choose_faces(pieces, faces):
+    if not any(piece.shape.Faces for piece in pieces):
+        return None, translated("The selection has no face.")
+    return 2, None
 
 
-def _choose_plane(obj, faces):
+def _choose_plane(pieces, faces):
+    if len(pieces) > 1:
+        return None, translated("Several objects are selected. Select one sketch, or plane faces of one.")
+    shape = pieces[0].shape
     if faces:
-        curved = [name for name in faces if obj.Shape.getElement(name).findPlane() is None]
+        curved = [name for name in faces if shape.getElement(name).findPlane() is None]
         if curved:
-            return None, None, translated("{face} is curved. Use Mesh faces.").format(face=curved[0])
-        return (obj, faces), 2, None
-    if obj.Shape.Solids:
-        return None, None, translated("A solid is selected. Select one of its plane faces, or use Mesh faces.")
-    if not obj.Shape.Faces:
+            return None, translated("{face} is curved. Use Mesh faces.").format(face=curved[0])
+        return 2, None
+    if shape.Solids:
+        return None, translated("A solid is selected. Select one of its plane faces, or use Mesh faces.")
+    if not shape.Faces:
         try:
-            plane_faces(obj)
+            plane_faces(pieces[0].obj, shape)
         except mesher.ModelError as error:
-            return None, None, in_words_of_panel(error)
-    return obj, 2, None
+            return None, in_words_of_panel(error)
+    return 2, None
 
 
 COMMANDS = (

@@ -13,6 +13,8 @@ _MEASURES = ["q2", "q1", "q3", "q4", "q5", "q6", "q7", "q8"]  # the first one is
 _PROPERTIES = (
     ("App::PropertyLinkGlobal", "Part", "FEM Mesh", "Object whose exact shape is meshed", None),
     ("App::PropertyLinkGlobal", "Shape", "FEM Mesh", "The Part, as FEM calls it from FreeCAD 1.0 on", None),
+    ("App::PropertyLinkListGlobal", "Containers", "FEM Mesh", "Objects through which parts are seen where they are meshed", None),
+    ("App::PropertyStringList", "ContainerPaths", "FEM Mesh", "From each of them to what is meshed: Group.Box.", None),
     ("App::PropertyLinkSubListGlobal", "References", "FEM Mesh", "Faces to mesh; without any, the whole part", None),
     ("App::PropertyLength", "CharacteristicLengthMax", "FEM Mesh", "Mean edge on surfaces where nothing asks for less; 0 is no limit", 0.0),
     ("App::PropertyLength", "CharacteristicLengthMin", "FEM Mesh", "Smallest size of elements; 0 is no limit", 0.0),

@@ -13,7 +13,8 @@ from .. import resources
 from ..messages import in_words_of_panel, show_refusal, translated
 from ..tools.background_task import BackgroundTask
 from ..tools.mesh_tool import MeshTool
-from ..tools.meshed_shape import first_size
+from ..tools.meshed_shape import first_size, meshed_shape
+from ..tools.places import Place, object_at, place_of
 from ..viewproviders.view_mesh import show_mesh_instead_of_part, show_part_instead_of_mesh
 from . import texts
 from .document_watch import DocumentWatch
@@ -188,17 +189,30 @@ class TaskMesh:
         self.form.setProperty("histogram", texts.histogram_of(self._obj))
 
     def _add_selected(self):
-        names = [name for selected in FreeCADGui.Selection.getSelectionEx()
-                 if self._is_alive() and selected.Object == self._obj.Part
-                 for name in selected.SubElementNames if name.startswith(_LOCAL_KINDS)]
+        names = self._selected_names() if self._is_alive() else []
         if not names:
             show_refusal(translated("No face, edge or vertex of the meshed part is selected. "
                                           "Select some in the view first."))
             return
-        first = 0.5 * (self.form.property("size") or first_size(self._obj.Part.Shape))
+        first = 0.5 * (self.form.property("size") or first_size(meshed_shape(self._obj).whole))
         sizes = self.form.property("localSizes")
         self.form.setProperty("localSizes", {**dict.fromkeys(names, first), **sizes})
         self._on_options_changed()
+
+    def _selected_names(self):
+        """Of elements of what is meshed."""
+        try:
+            shape = meshed_shape(self._obj)
+        except mesher.ModelError:
+            return []
+        names = []
+        for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+            for place, element in (place_of(selected.Object, sub) for sub in selected.SubElementNames):
+                # By itself or through what contains it: it is the same element if there is just one such object.
+                name = shape.name_at(place, element) or shape.name_at(Place(object_at(place), ""), element)
+                if name and element.startswith(_LOCAL_KINDS):
+                    names.append(name)
+        return names
 
     # the estimate
     def _on_options_changed(self):
@@ -312,9 +326,9 @@ class TaskMesh:
         self._finish(in_words_of_panel(error))
         FreeCADGui.Selection.clearSelection()
         for failure in getattr(error, "failures", ()):
-            name = self._tool.name_in_part(failure["entity"])
-            if name.startswith(_SHOWN_KINDS) and self._is_alive():
-                FreeCADGui.Selection.addSelection(self._document_name, self._obj.Part.Name, name)
+            place, element = self._tool.place_of(failure["entity"])
+            if element.startswith(_SHOWN_KINDS) and self._is_alive():
+                FreeCADGui.Selection.addSelection(self._document_name, place.top.Name, place.path + element)
         show_refusal(in_words_of_panel(error))
 
     def _finish(self, text, fraction=0.0):

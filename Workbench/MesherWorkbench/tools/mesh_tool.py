@@ -20,7 +20,8 @@ class MeshTool:
         self._obj = obj
         obj = MeshDraft(obj, values or {})
         shape = meshed_shape(obj)
-        self._hash = hash_of(obj.Part.Shape)
+        self._hash = hash_of(shape.whole)
+        self._shape = shape
         self._names = shape.names
         self._model = mesher.model_of(shape.shape, obj.HealShape)
         self._options = options_of(obj, shape)
@@ -40,6 +41,10 @@ class MeshTool:
     def name_in_part(self, entity):
         """What the part calls an entity that the mesher names."""
         return self._names.get(entity, entity)
+
+    def place_of(self, entity):
+        """Where an entity that the mesher names is seen, and what it is called there."""
+        return self._shape.place_of(self.name_in_part(entity))
 
     def _in_part(self, text):
         return re.sub(r"\b(?:Vertex|Edge|Face|Solid)\d+\b", lambda name: self.name_in_part(name[0]), text)

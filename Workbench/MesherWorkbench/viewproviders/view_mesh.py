@@ -3,6 +3,7 @@ import FreeCADGui
 
 from .. import resources
 from ..messages import show_refusal, translated
+from ..tools.places import Place, object_at, shown_by
 from ..tools.undo_steps import UndoSteps
 
 _FACE_COLOUR = (0.62, 0.78, 0.92)
@@ -78,11 +79,15 @@ class ViewMesherMesh:
 def show_mesh_instead_of_part(obj):
     """Both in one place would hide each other in turn."""
     obj.ViewObject.Visibility = True
-    if obj.Part is not None:
-        obj.Part.ViewObject.Visibility = False
+    _show_parts(obj, False)
 
 
 def show_part_instead_of_mesh(obj):
     obj.ViewObject.Visibility = False
-    if obj.Part is not None:
-        obj.Part.ViewObject.Visibility = True
+    _show_parts(obj, True)
+
+
+def _show_parts(obj, is_shown):
+    places = [Place(top, path) for top, path in zip(obj.Containers, obj.ContainerPaths)]
+    for part in {shown_by(place) for place in places if object_at(place) is not None} or {obj.Part} - {None}:
+        part.ViewObject.Visibility = is_shown
