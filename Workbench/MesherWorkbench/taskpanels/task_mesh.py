@@ -218,6 +218,8 @@ class TaskMesh:
     def _on_options_changed(self):
         if self._estimate is not None:
             self._estimate.cancel()
+        # That of other sizes would be taken for that of these.
+        self.form.setProperty("estimate", translated("estimating"))
         self._estimator.start(_PAUSE_BEFORE_ESTIMATE)
 
     def _start_estimate(self):

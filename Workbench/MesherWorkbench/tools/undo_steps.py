@@ -16,6 +16,9 @@ class UndoSteps:
         """Calls `change()` as one step; what it raises leaves the document as it was. Returns its result."""
         document = FreeCAD.getDocument(self._name)
         self._is_own = True
+        # The active document would have a step as well, in which nothing is done.
+        active = FreeCAD.activeDocument()
+        FreeCAD.setActiveDocument(self._name)
         document.openTransaction(name)
         try:
             result = change()
@@ -28,6 +31,8 @@ class UndoSteps:
             self._stack = list(document.UndoNames)
             return result
         finally:
+            if active is not None:
+                FreeCAD.setActiveDocument(active.Name)
             self._is_own = False
 
     def take_back(self):
@@ -70,6 +75,9 @@ class UndoSteps:
 
 def _forget_redo(document):
     """Steps that were cancelled are not to come back by Redo. FreeCAD forgets them at the next change, which is taken back here."""
+    active = FreeCAD.activeDocument()
+    FreeCAD.setActiveDocument(document.Name)
     document.openTransaction("Forget")
     document.addObject("App::FeaturePython", "Forgotten")
     document.abortTransaction()
+    FreeCAD.setActiveDocument(active.Name)
