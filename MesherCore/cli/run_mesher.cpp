@@ -26,10 +26,18 @@ ExitStatus listFormats(Console console)
     return ExitStatus::Done;
 }
 
+/// By itself or behind a command: a file of such a name is written as ./-h.
+bool asksForHelp(std::span<const std::string> arguments)
+{
+    const bool isFirst = !arguments.empty() && arguments.front() == "help";
+    return isFirst || std::any_of(arguments.begin(), arguments.end(),
+                                  [](const std::string& word) { return word == "--help" || word == "-h"; });
+}
+
 ExitStatus dispatch(std::span<const std::string> arguments, Console console)
 {
     const std::string command = arguments.empty() ? std::string() : arguments.front();
-    if (command == "--help" || command == "-h" || command == "help") {
+    if (asksForHelp(arguments)) {
         console.out << usageText();
         return ExitStatus::Done;
     }

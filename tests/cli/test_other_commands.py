@@ -83,7 +83,8 @@ class TestOtherCommands(Case):
             self.expect_refusal(2, ".*--cut.*", "draw", "m.vtu", "-o", "m.png", "--cut", cut)
 
     def test_help_version_and_formats(self):
-        self.assertIn("--keep-partial", self.expect(0, "--help").stdout)
+        for words in (["--help"], ["-h"], ["help"], ["mesh", "--help"], ["mesh", "part.step", "-h"], ["check", "--help"]):
+            self.assertIn("--keep-partial", self.expect(0, *words).stdout)
         self.assertRegex(self.expect(0, "--version").stdout, r"^mesher \d+\.\d+\.\d+\n$")
         self.assertIn("msh2", self.expect(0, "formats").stdout)
 
