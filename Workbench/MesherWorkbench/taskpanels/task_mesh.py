@@ -12,7 +12,7 @@ import mesher_gui
 from .. import resources
 from ..messages import in_words_of_panel, show_refusal, translated
 from ..tools.background_task import BackgroundTask
-from ..tools.mesh_tool import MeshTool
+from ..tools.mesh_tool import HANDING_OVER, MeshTool
 from ..tools.meshed_shape import first_size, meshed_shape
 from ..tools.places import Place, object_at, place_of
 from ..viewproviders.view_mesh import show_mesh_instead_of_part, show_part_instead_of_mesh
@@ -44,6 +44,7 @@ class TaskMesh:
         self._estimate = None
         self._stopped_at = None
         self._poller = QtCore.QTimer()
+        self._poller.setInterval(_POLL_MILLISECONDS)
         self._poller.timeout.connect(self._poll)
         self._estimator = QtCore.QTimer()
         self._estimator.setSingleShot(True)
@@ -262,7 +263,7 @@ class TaskMesh:
         self._started_at = time.monotonic()
         self.form.setProperty("summary", "")
         self.form.setProperty("running", True)
-        self._task = BackgroundTask(self._tool.run)
+        self._task = BackgroundTask(self._tool.run, self._wake)
         self._poller.start(_POLL_MILLISECONDS)
 
     def _cancel(self):
@@ -271,8 +272,13 @@ class TaskMesh:
         if self._task is None:
             return
         self._task.cancel()
+        self._poller.start(_POLL_MILLISECONDS)
         self._stopped_at = time.monotonic()
         self.form.setProperty("stage", translated("stopping"))
+
+    def _wake(self):
+        """In any thread."""
+        QtCore.QMetaObject.invokeMethod(self._poller, "start", QtCore.Qt.QueuedConnection)
 
     def _poll(self):
         if self._estimate is not None and not self._estimate.is_running:
@@ -292,6 +298,9 @@ class TaskMesh:
             return
         if task.is_running:
             stage, fraction = task.progress
+            if stage == HANDING_OVER:
+                # Whoever asks in Python would wait until FreeCAD has read the mesh, and the window with him.
+                self._poller.stop()
             self.form.setProperty("stage", texts.stage_text(stage, time.monotonic() - self._started_at))
             self.form.setProperty("fraction", fraction)
             return

@@ -3,21 +3,20 @@ import threading
 
 
 class BackgroundTask:
-    """Calls `work(progress)`; `progress(stage, fraction)` returns False once the task is cancelled."""
+    """Calls `work(progress)`; `progress(stage, fraction)` returns False once the task is cancelled. `on_end` is called in the thread of
+    the work when all is done."""
 
-    def __init__(self, work):
+    def __init__(self, work, on_end=lambda: None):
         self._work = work
+        self._on_end = on_end
         self._is_cancelled = False
         self.progress = ("", 0.0)
         self.result = None
         self.error = None
+        self.is_running = True
         # The interpreter waits for it at its end: a thread that outlives Python ends in a crash.
         self._thread = threading.Thread(target=self._run)
         self._thread.start()
-
-    @property
-    def is_running(self):
-        return self._thread.is_alive()
 
     @property
     def is_cancelled(self):
@@ -35,6 +34,8 @@ class BackgroundTask:
             self.result = self._work(self._on_progress)
         except Exception as error:  # told by the main thread
             self.error = error
+        self.is_running = False
+        self._on_end()
 
     def _on_progress(self, stage, fraction):
         self.progress = (stage, fraction)

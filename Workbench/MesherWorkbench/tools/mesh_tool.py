@@ -13,6 +13,10 @@ from .meshed_shape import meshed_shape
 from .shape_hash import hash_of
 
 
+# The stage of a run in which the interpreter is not free: FreeCAD reads the mesh.
+HANDING_OVER = "handing the mesh to FreeCAD"
+
+
 class MeshTool:
     """One run of the mesher for one mesh object; `values` are in place of those of its properties."""
 
@@ -23,12 +27,16 @@ class MeshTool:
         self._hash = hash_of(shape.whole)
         self._shape = shape
         self._names = shape.names
+        self._ready = None, None
         self._model = mesher.model_of(shape.shape, obj.HealShape)
         self._options = options_of(obj, shape)
 
     def run(self, progress=None):
-        """The mesh; raises what mesher.mesh raises."""
-        return mesher.mesh(self._model, progress=progress, **self._options)
+        """The mesh; raises what mesher.mesh raises. It is made ready for the document as well, which takes its time."""
+        mesh = mesher.mesh(self._model, progress=progress, **self._options)
+        if progress is None or progress(HANDING_OVER, 1.0):
+            self._ready = mesh, mesh.to_fem_mesh(names=self._names)
+        return mesh
 
     def estimate(self, progress=None):
         """What a run is going to take; raises what mesher.estimate raises."""
@@ -51,7 +59,9 @@ class MeshTool:
 
     def fill_in(self, mesh):
         obj = self._obj
-        obj.FemMesh = mesh.to_fem_mesh(names=self._names)
+        ready, fem_mesh = self._ready
+        obj.FemMesh = fem_mesh if ready is mesh else mesh.to_fem_mesh(names=self._names)
+        self._ready = None, None
         quality = mesh.quality()
         is_volume = len(mesh.tets) > 0
         obj.NodeCount = len(mesh.nodes)
