@@ -128,6 +128,8 @@ QGroupBox* MeshPanel::makeResultGroup()
     auto* all = new QVBoxLayout(group);
     all->setContentsMargins(kGroupMargin, kGroupTop, kGroupMargin, kGroupMargin);
     summary_->setTextFormat(Qt::RichText);
+    connect(summary_, &QLabel::linkActivated, this,
+            [this](const QString& link) { Q_EMIT placeWanted(link.toInt()); });
     all->addWidget(summary_);
     all->addWidget(histogram_);
     return group;

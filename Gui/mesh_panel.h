@@ -78,6 +78,7 @@ Q_SIGNALS:
     void cancelRequested();
     void optionsChanged();
     void selectionWanted();
+    void placeWanted(int number);  ///< that a link of the summary names
 
 private:
     [[nodiscard]] QGroupBox* sizeGroup();

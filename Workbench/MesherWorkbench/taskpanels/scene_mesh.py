@@ -4,6 +4,13 @@ from pivy import coin
 _LINE_COLOUR = (0.1, 0.1, 0.1)
 
 
+def zoom_to(view3d, point, reach):
+    """Brings what is within `reach` of a point into the middle of the view."""
+    low, high = ([coordinate + sign * reach for coordinate in point] for sign in (-1.0, 1.0))
+    region = view3d.getViewer().getSoRenderManager().getViewportRegion()
+    view3d.getCameraNode().viewBoundingBox(coin.SbBox3f(*low, *high), region.getViewportAspectRatio(), 1.0)
+
+
 class SceneMesh:
     """Flat triangles with their edges; `in_front` draws them over all else."""
 

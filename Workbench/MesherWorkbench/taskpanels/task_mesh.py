@@ -1,5 +1,6 @@
 """The panel of a mesh object: sizes, an estimate, Mesh and Stop, progress, result. The widgets are those of the module
 mesher_gui; meshing and estimating are in threads, whose state a timer reads, so that neither waits for the other."""
+import json
 import time
 
 import FreeCAD
@@ -19,6 +20,7 @@ from ..viewproviders.view_mesh import show_mesh_instead_of_part, show_part_inste
 from . import texts
 from .document_watch import DocumentWatch
 from .qt import new_quantity_field, standard_buttons, widget_at
+from .scene_mesh import zoom_to
 
 _POLL_MILLISECONDS = 50
 _PAUSE_BEFORE_ESTIMATE = 300  # milliseconds, in which more may be typed
@@ -55,7 +57,8 @@ class TaskMesh:
         self._show_options()
         self._show_result()
         for signal, slot in (("meshRequested()", self.start), ("cancelRequested()", self._cancel),
-                             ("optionsChanged()", self._on_options_changed), ("selectionWanted()", self._add_selected)):
+                             ("optionsChanged()", self._on_options_changed), ("selectionWanted()", self._add_selected),
+                             ("placeWanted(int)", self._show_place)):
             QtCore.QObject.connect(self.form, QtCore.SIGNAL(signal), slot)
         QtGui.QApplication.instance().aboutToQuit.connect(self._cancel)
         self._start_estimate()
@@ -188,6 +191,21 @@ class TaskMesh:
     def _show_result(self):
         self.form.setProperty("summary", texts.summary_of(self._obj))
         self.form.setProperty("histogram", texts.histogram_of(self._obj))
+
+    def _show_place(self, number):
+        """Where elements were left bad: zooms there, and selects what is to blame."""
+        place = json.loads(self._obj.Report)["left"]["places"][number]
+        zoom_to(FreeCADGui.getDocument(self._document_name).activeView(), place["point"], self._size_there())
+        FreeCADGui.Selection.clearSelection()
+        shape = meshed_shape(self._obj)
+        for name in place["entities"]:
+            where, element = shape.place_of(name)
+            if element.startswith(_SHOWN_KINDS):
+                FreeCADGui.Selection.addSelection(self._document_name, where.top.Name, where.path + element)
+
+    def _size_there(self):
+        size = self.form.property("size") or first_size(meshed_shape(self._obj).whole)
+        return 3.0 * size
 
     def _add_selected(self):
         names = self._selected_names() if self._is_alive() else []

@@ -5,6 +5,9 @@ import json
 from ..messages import translated
 
 
+_MOST_PLACES = 5
+
+
 def estimate_text(estimate, is_volume):
     kind = translated("tetrahedra") if is_volume else translated("triangles")
     expected = (translated("Expected: at least {count} {kind}, {memory}, {time}") if estimate["at_least"]
@@ -42,7 +45,24 @@ def summary_of(obj):
     cells = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td align='right'><b>{value}</b></td></tr>" for name, value in rows)
     warnings = "".join(f"<p>{html.escape(text)}</p>" for text in report.get("warnings", []))
     stale = f"<p><b>{translated('The shape has changed since: mesh it again.')}</b></p>" if obj.IsStale else ""
-    return f"{stale}<table>{cells}</table>{warnings}"
+    stiff = f"<p>{translated('Linear tetrahedra are stiff in bending: compare with half the size.')}</p>" if is_volume and obj.ElementOrder == "1st" else ""
+    return f"{stale}<table>{cells}</table>{_left_of(report)}{warnings}{stiff}"
+
+
+def _left_of(report):
+    """Where elements stayed worse than was asked for, why, and what to do about it; a link leads to each place."""
+    places = report.get("left", {}).get("places", [])
+    lines = []
+    for number, place in enumerate(places[:_MOST_PLACES]):
+        smallest, largest = (place.get(f"{end}_dihedral", place.get(f"{end}_angle")) for end in ("min", "max"))
+        angles = f", {smallest:.1f}° – {largest:.1f}°" if smallest is not None and largest is not None else ""
+        lines.append(translated("<a href='{number}'>{count:,} elements at {entities}</a>{angles}: {reason}. {remedy}.").format(
+            number=number, count=place["count"], entities=html.escape(", ".join(place["entities"])), angles=angles,
+            reason=html.escape(place["reason"]), remedy=html.escape(place["remedy"][:1].upper() + place["remedy"][1:])))
+    more = len(places) - len(lines)
+    if more > 0:
+        lines.append(translated("… and {count} places more, in the object's Report").format(count=more))
+    return "".join(f"<p>{line}</p>" for line in lines)
 
 
 def histogram_of(obj):

@@ -2,6 +2,7 @@
 `estimate` between them may be on any."""
 import json
 import re
+import warnings
 
 import FreeCAD
 
@@ -12,6 +13,9 @@ from .mesh_draft import MeshDraft
 from .meshed_shape import meshed_shape
 from .shape_hash import hash_of
 
+
+# They are in the report, and told with it in words of the document.
+warnings.filterwarnings("ignore", category=mesher.MesherWarning, module=__name__)
 
 # The stage of a run in which the interpreter is not free: FreeCAD reads the mesh.
 HANDING_OVER = "handing the mesh to FreeCAD"
@@ -57,6 +61,9 @@ class MeshTool:
     def _in_part(self, text):
         return re.sub(r"\b(?:Vertex|Edge|Face|Solid)\d+\b", lambda name: self.name_in_part(name[0]), text)
 
+    def _place_in_part(self, place):
+        return {**place, "entities": [self.name_in_part(entity) for entity in place["entities"]], "reason": self._in_part(place["reason"])}
+
     def fill_in(self, mesh):
         obj = self._obj
         ready, fem_mesh = self._ready
@@ -69,9 +76,13 @@ class MeshTool:
         obj.SmallestAngle = quality["min_dihedral" if is_volume else "min_angle"]
         obj.LargestAngle = quality["max_dihedral" if is_volume else "max_angle"]
         report = {**mesh.report, "warnings": [self._in_part(text) for text in mesh.report["warnings"]]}
+        report["left"] = {**report["left"], "places": [self._place_in_part(place) for place in report["left"]["places"]]}
         obj.Report = json.dumps(report)
         for text in report["warnings"]:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
+        kind = "tetrahedra" if is_volume else "triangles"
+        FreeCAD.Console.PrintMessage(f"{obj.Label}: {obj.ElementCount} {kind}, {obj.NodeCount} nodes, angles from {obj.SmallestAngle:.2f} "
+                                     f"to {obj.LargestAngle:.2f} degrees\n")
         obj.ShapeHash = self._hash
         obj.IsStale = False
         obj.purgeTouched()

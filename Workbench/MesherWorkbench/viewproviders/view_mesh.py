@@ -1,5 +1,6 @@
 """How a mesh object looks and what a double click does."""
 import FreeCADGui
+from pivy import coin
 
 from .. import resources
 from ..messages import show_refusal, translated
@@ -7,7 +8,7 @@ from ..tools.places import Place, object_at, shown_by
 from ..tools.undo_steps import UndoSteps
 
 _FACE_COLOUR = (0.62, 0.78, 0.92)
-_LINE_WIDTH = 1.0  # pixels
+_LINE_WIDTH = 2.0  # pixels
 
 
 class ViewMesherMesh:
@@ -28,6 +29,8 @@ class ViewMesherMesh:
 
     def attach(self, view):
         self.ViewObject = view
+        # Lines lie in the faces: these are drawn a little behind them, which would show through here and there.
+        view.RootNode.insertChild(coin.SoPolygonOffset(), 0)
 
     def claimChildren(self):
         return self.ViewObject.Object.MeshRegionList

@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
@@ -117,6 +118,11 @@ std::string cell(const std::string& name, int row, int column)
     return the<QTableWidget>(name).item(row, column)->text().toStdString();
 }
 
+void followLink(const std::string& name, const std::string& link)
+{
+    Q_EMIT the<QLabel>(name).linkActivated(QString::fromStdString(link));
+}
+
 /// The entry of the menu.
 void trigger(const std::string& name)
 {
@@ -169,6 +175,7 @@ PYBIND11_MODULE(window_hands, module)
     module.def("rows", [](const std::string& name) { return the<QTableWidget>(name).rowCount(); });
     module.def("select_row",
                [](const std::string& name, int row) { the<QTableWidget>(name).selectRow(row); });
+    module.def("follow_link", &followLink);
     module.def("count_buttons", [](const std::string& word) { return panelButtons(word).size(); });
     module.def("press", &press);
     module.def("trigger", &trigger);
