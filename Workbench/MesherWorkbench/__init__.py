@@ -1,4 +1,4 @@
 """The workbench of FreeCAD around the package mesher: documents, commands and panels; all meshing is in the core."""
-from .factory import make_mesh
+from .factory import make_mesh, make_mesh_object, update
 
-__all__ = ["make_mesh"]
+__all__ = ["make_mesh", "make_mesh_object", "update"]

@@ -53,20 +53,37 @@ def make_mesh(source, *, name="Mesh", progress=None, **options):
     """
     obj = make_mesh_object(source, name=name, **options)
     try:
-        tool = MeshTool(obj)
-        tool.fill_in(tool.run(progress))
+        update(obj, progress)
     except BaseException:
         obj.Document.removeObject(obj.Name)
         raise
+    return obj
+
+
+# What panels have meshed in threads of their own, for the next update of the object: (tool, mesh) by document and name.
+_meshed = {}
+
+
+def update(obj, progress=None):
+    """Meshes a mesh object again, of its part as it is now. Raises what mesher.mesh raises; the object keeps its mesh then."""
+    tool, mesh = _meshed.pop((obj.Document.Name, obj.Name), (None, None))
+    if tool is None:
+        tool = MeshTool(obj)
+        mesh = tool.run(progress)
+    tool.fill_in(mesh)
     if FreeCAD.GuiUp:
         from .viewproviders.view_mesh import show_mesh_instead_of_part
 
         show_mesh_instead_of_part(obj)
-    return obj
+
+
+def keep_for_update(obj, tool, mesh):
+    """A mesh that is made already, for the next update of the object."""
+    _meshed[obj.Document.Name, obj.Name] = tool, mesh
 
 
 def make_mesh_object(source, *, name="Mesh", **options):
-    """The object alone, not meshed yet."""
+    """The object alone, not meshed yet; options are those of make_mesh."""
     unknown = sorted(set(options) - _OPTIONS)
     if unknown:
         raise TypeError(f"make_mesh() has no option '{unknown[0]}'")

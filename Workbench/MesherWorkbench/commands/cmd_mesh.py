@@ -8,6 +8,7 @@ import Part
 import mesher
 
 from ..messages import in_words_of_panel, show_refusal, translated
+from ..tools import macro_lines
 from ..tools.meshed_shape import first_size, plane_faces
 from ..tools.places import Place, object_at, pieces_at, place_of
 from ..tools.undo_steps import UndoSteps
@@ -58,16 +59,17 @@ class _MeshCommand:
         if refusal is not None:
             show_refusal(refusal)
             return
-        from ..factory import make_mesh_object
         from ..taskpanels.task_mesh import TaskMesh
 
         part = object_at(next(iter(picked)))
 
         def make():
             size = first_size(Part.makeCompound([piece.shape for piece in pieces]))
-            mesh = make_mesh_object((part, faces if dimension == 2 else []), dimension=dimension, size=size, curvature=_FIRST_CURVATURE)
-            mesh.Containers = [place.top for place in picked]
-            mesh.ContainerPaths = [place.path for place in picked]
+            source = f"({macro_lines.expression_of(part)}, {faces if dimension == 2 else []!r})"
+            before = set(part.Document.Objects)
+            macro_lines.do("make_mesh_object", source, dimension=dimension, size=size, curvature=_FIRST_CURVATURE)
+            mesh = next(obj for obj in part.Document.Objects if obj not in before)
+            macro_lines.places(mesh, list(picked))
             _add_to_active_analysis(mesh)
             return mesh
 

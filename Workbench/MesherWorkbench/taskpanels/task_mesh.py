@@ -11,7 +11,9 @@ import mesher
 import mesher_gui
 
 from .. import resources
+from ..factory import keep_for_update
 from ..messages import in_words_of_panel, show_refusal, translated
+from ..tools import macro_lines
 from ..tools.background_task import BackgroundTask
 from ..tools.mesh_tool import HANDING_OVER, MeshTool
 from ..tools.meshed_shape import first_size, meshed_shape
@@ -179,9 +181,9 @@ class TaskMesh:
 
         def change():
             for path, expression in expressions.items():
-                self._obj.setExpression(path, expression)
+                macro_lines.bind(self._obj, path, expression)
             for property_name, value in self._changes().items():
-                setattr(self._obj, property_name, value)
+                macro_lines.assign(self._obj, property_name, value)
             then()
             self._obj.purgeTouched()
 
@@ -328,22 +330,26 @@ class TaskMesh:
         else:
             self._tell(task.error)
 
-    def _take_in(self, mesh):
+    def _take_in(self, mesh, is_whole=True):
         if not self._is_alive():
             self._finish(translated("The mesh object was deleted."))
             return
-        self._record(translated("Mesh"), lambda: self._fill_in(mesh))
+        self._record(translated("Mesh"), lambda: self._fill_in(mesh, is_whole))
         self._finish(texts.done_text(time.monotonic() - self._started_at), fraction=1.0)
         self._show_result()
 
-    def _fill_in(self, mesh):
-        """FreeCAD takes seconds for a million elements, in which its window rests."""
+    def _fill_in(self, mesh, is_whole):
+        """FreeCAD takes seconds for a million elements, in which its window rests. No line of a macro makes a part of a mesh."""
         self.form.setProperty("stage", texts.handing_over_text())
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
-            self._tool.fill_in(mesh)
-            show_mesh_instead_of_part(self._obj)
+            if is_whole:
+                keep_for_update(self._obj, self._tool, mesh)
+                macro_lines.do("update", macro_lines.expression_of(self._obj))
+            else:
+                self._tool.fill_in(mesh)
+                show_mesh_instead_of_part(self._obj)
         finally:
             QtGui.QApplication.restoreOverrideCursor()
 
@@ -351,7 +357,7 @@ class TaskMesh:
         """What went wrong, with the entities it is about selected, and what there is of the mesh."""
         partial = getattr(error, "mesh", None)
         if partial is not None and len(partial.nodes):
-            self._take_in(partial)
+            self._take_in(partial, is_whole=False)
         self._finish(in_words_of_panel(error))
         FreeCADGui.Selection.clearSelection()
         for failure in getattr(error, "failures", ()):
