@@ -5,8 +5,6 @@
 #include "brep/name_list.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 
 namespace mesher {
@@ -15,122 +13,54 @@ namespace {
 
 constexpr double kConfusion = 1e-7;
 
-/// Where an edge should be at a parameter.
-class EdgeTarget
+/// A parameter curve on its surface.
+struct Lift
 {
-public:
-    struct Side
-    {
-        const Surface* surface = nullptr;
-        const ParameterCurve* curve = nullptr;
-    };
+    const Surface* surface = nullptr;
+    const ParameterCurve* curve = nullptr;
 
-    EdgeTarget(const BrepModel& model, const BrepEdge& edge, std::vector<Side> sides, double gap)
-        : edge_(edge),
-          sides_(std::move(sides)),
-          first_(model.vertices[edge.first].position),
-          last_(model.vertices[edge.last].position),
-          isShort_(!edge.isClosed() && length(last_ - first_) < kShortest * gap)
-    {
-    }
-
-    /// Of the lifts of the parameter curves from one another.
-    [[nodiscard]] double spreadAt(double t) const
-    {
-        double spread = 0.0;
-        for (const Side& side : sides_)
-            spread = std::max(spread, length(liftAt(side, t) - liftAt(sides_.front(), t)));
-        return spread;
-    }
-
-    /// The mean of the lifts.
-    [[nodiscard]] Vec3 liftAt(double t) const
-    {
-        Vec3 sum;
-        for (const Side& side : sides_) sum = sum + liftAt(side, t);
-        return (1.0 / static_cast<double>(sides_.size())) * sum;
-    }
-
-    /// The point of both surfaces that is nearest to the curve drawn to its vertices, nothing where they hardly cross.
-    [[nodiscard]] std::optional<Vec3> meetingAt(double t) const
-    {
-        constexpr int kMostSteps = 30;
-        constexpr double kLeastSine = 0.1, kAtRest = 1e-10;
-        std::array<Vec2, 2> uv = {sides_[0].curve->position(t), sides_[1].curve->position(t)};
-        Vec3 place = roughPlaceAt(t);
-        for (int step = 0; step < kMostSteps; ++step) {
-            std::array<Vec3, 2> normal;
-            std::array<double, 2> ahead{};
-            for (std::size_t i = 0; i < 2; ++i) {
-                const SurfaceProjection foot = sides_[i].surface->project(place, uv[i]);
-                uv[i] = foot.parameters;
-                const Vec3 raw = sides_[i].surface->evaluate(uv[i]).normal();
-                if (!(squaredLength(raw) > 0.0)) return std::nullopt;
-                normal[i] = (1.0 / length(raw)) * raw;
-                ahead[i] = dot(normal[i], foot.position - place);
-            }
-            const double cosine = dot(normal[0], normal[1]), square = 1.0 - cosine * cosine;
-            if (square < kLeastSine * kLeastSine) return std::nullopt;
-            const Vec3 by = ((ahead[0] - cosine * ahead[1]) / square) * normal[0] +
-                            ((ahead[1] - cosine * ahead[0]) / square) * normal[1];
-            place = place + by;
-            if (length(by) <= kAtRest) return place;
-        }
-        return std::nullopt;
-    }
-
-    [[nodiscard]] bool hasTwoSides() const
-    {
-        return sides_.size() == 2 && sides_[0].surface != sides_[1].surface;
-    }
-
-private:
-    static Vec3 liftAt(const Side& side, double t) { return side.surface->position(side.curve->position(t)); }
-
-    // An edge that is shorter, in gaps, is known by its ends alone.
-    static constexpr double kShortest = 5.0;
-
-    /// On the curve drawn to its vertices.
-    [[nodiscard]] Vec3 roughPlaceAt(double t) const
-    {
-        const double share = (t - edge_.part.first) / edge_.part.length();
-        if (isShort_) return (1.0 - share) * first_ + share * last_;
-        const Curve& curve = *edge_.curve;
-        return curve.position(t) + (1.0 - share) * (first_ - curve.position(edge_.part.first)) +
-               share * (last_ - curve.position(edge_.part.last));
-    }
-
-    const BrepEdge& edge_;
-    std::vector<Side> sides_;
-    Vec3 first_;  ///< the vertices
-    Vec3 last_;
-    bool isShort_;
+    [[nodiscard]] Vec3 at(double t) const { return surface->position(curve->position(t)); }
 };
 
-/// The displaced curve that runs where the target says, if it follows it and does not move by more than `most`.
-template <class Target>
-std::shared_ptr<const Curve> displaced(const BrepEdge& edge, Target&& target, double most, double exactness)
+Vec3 meanAt(const std::vector<Lift>& lifts, double t)
 {
-    // Curves of files have little kinks, which no number of steps follows.
-    constexpr std::size_t kFewest = 16, kMost = 256;
-    constexpr double kLastResort = 20.0;
+    Vec3 sum;
+    for (const Lift& lift : lifts) sum = sum + lift.at(t);
+    return (1.0 / static_cast<double>(lifts.size())) * sum;
+}
+
+/// Are they one all along the edge?
+bool doAgree(const std::vector<Lift>& lifts, Interval part)
+{
+    constexpr int kSamples = 32;
+    for (int i = 0; i <= kSamples; ++i) {
+        const double t = part.at(static_cast<double>(i) / kSamples);
+        const Vec3 first = lifts.front().at(t);
+        for (const Lift& lift : lifts) {
+            if (!(length(lift.at(t) - first) <= kConfusion)) return false;
+        }
+    }
+    return true;
+}
+
+/// The displaced curve that runs along the lifts, if it follows them and does not move by more than `most`.
+std::shared_ptr<const Curve> displaced(const BrepEdge& edge, const std::vector<Lift>& lifts, double most)
+{
+    constexpr std::size_t kFewest = 16, kMost = 1024;
+    constexpr double kExactness = 0.1 * kConfusion;
     for (std::size_t steps = kFewest; steps <= kMost; steps *= 2) {
         const auto parameter = [&](double i) { return edge.part.at(i / static_cast<double>(steps)); };
         std::vector<Vec3> by;
         for (std::size_t i = 0; i <= steps; ++i) {
             const double t = parameter(static_cast<double>(i));
-            const std::optional<Vec3> place = target(t);
-            if (!place) return nullptr;
-            by.push_back(*place - edge.curve->position(t));
+            by.push_back(meanAt(lifts, t) - edge.curve->position(t));
             if (!(length(by.back()) <= most)) return nullptr;
         }
         auto curve = std::make_shared<DisplacedCurve>(edge.curve, edge.part, std::move(by));
-        const double allowed = steps == kMost ? kLastResort * exactness : exactness;
         bool follows = true;
         for (std::size_t i = 0; i < steps && follows; ++i) {
             const double t = parameter(static_cast<double>(i) + 0.5);
-            const std::optional<Vec3> place = target(t);
-            follows = place && length(*place - curve->position(t)) <= allowed;
+            follows = length(meanAt(lifts, t) - curve->position(t)) <= kExactness;
         }
         if (follows) return curve;
     }
@@ -191,39 +121,19 @@ IdVector<BrepEdgeId, std::vector<EdgeFitting::Use>> EdgeFitting::collectUses()
     return uses;
 }
 
-std::shared_ptr<const Curve> EdgeFitting::movedCurve(const BrepEdge& edge, const std::vector<Use>& uses,
-                                                     double gap) const
-{
-    constexpr double kAgreement = 0.1, kExactness = 1e-3;
-    // Off both of two faces by the gap, at right angles.
-    constexpr double kSlack = 1.5;
-    constexpr int kSamples = 32;
-    std::vector<EdgeTarget::Side> sides;
-    for (const Use& use : uses) sides.push_back({model_.faces[use.face].surface.get(), use.stored.get()});
-    const EdgeTarget target(model_, edge, std::move(sides), gap);
-    const double most = kSlack * std::max(edge.tolerance, gap), exactness = kExactness * gap;
-    double spread = 0.0;
-    for (int i = 0; i <= kSamples; ++i)
-        spread = std::max(spread, target.spreadAt(edge.part.at(static_cast<double>(i) / kSamples)));
-    if (spread <= kAgreement * gap) {
-        const auto lift = [&](double t) { return std::optional<Vec3>(target.liftAt(t)); };
-        if (auto curve = displaced(edge, lift, most, exactness)) return curve;
-    }
-    if (!target.hasTwoSides()) return nullptr;
-    return displaced(
-        edge, [&](double t) { return target.meetingAt(t); }, most, exactness);
-}
-
 void EdgeFitting::move(BrepEdgeId id, const std::vector<Use>& uses)
 {
-    constexpr double kLeastShare = 1e-5, kWorth = 0.1;
+    constexpr double kLeastShare = 1e-5, kWorth = 0.1, kSlack = 1.01;
     BrepEdge& edge = model_.edges[id];
     double gap = 0.0;
-    for (const Use& use : uses) gap = std::max(gap, use.coedge->gap);
-    if (edge.isDegenerate || uses.empty() ||
-        !(gap > std::max(10.0 * kConfusion, kLeastShare * lengthOf(edge))))
-        return;
-    const std::shared_ptr<const Curve> moved = movedCurve(edge, uses, gap);
+    std::vector<Lift> lifts;
+    for (const Use& use : uses) {
+        gap = std::max(gap, use.coedge->gap);
+        lifts.push_back({model_.faces[use.face].surface.get(), use.stored.get()});
+    }
+    const bool isOff = !edge.isDegenerate && gap > std::max(10.0 * kConfusion, kLeastShare * lengthOf(edge));
+    if (uses.empty() || !isOff || !doAgree(lifts, edge.part)) return;
+    const auto moved = displaced(edge, lifts, kSlack * std::max(edge.tolerance, gap));
     if (!moved) return;
     const auto original = std::exchange(edge.curve, moved);
     std::vector<BrepCoedge> fitted;

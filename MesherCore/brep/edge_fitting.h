@@ -11,11 +11,12 @@ namespace mesher {
 /// Makes the curves of edges and their parameter curves on faces agree, which files do only within tolerances.
 ///
 /// Where a parameter curve runs beside the edge or ahead of it, points of the edge projected on the surface take its place if they
-/// are nearer. Where the edge itself lies off its faces by more than a little of its length, as its tolerance allows, it is moved:
-/// to where the stored parameter curves agree that it is, else to where the two faces meet. Faces keep their loops as the file has
-/// them then, however narrow they are, and meshes of neighbours have one line in common that lies on both.
-/// Guarantees   an edge moves by no more than one and a half times its tolerance or the gap that it had, and lies off its faces by less
-///              than a tenth of that gap then; vertices stay where they are
+/// are nearer. Where the edge itself lies off its faces by more than a little of its length, as its tolerance allows, and the stored
+/// parameter curves of all its faces agree where it is, it is moved there: faces keep their loops as the file has them then, however
+/// narrow they are. Where these do not agree it stays, since what lies beside both the edge and the trim of a face is on neither for
+/// those who measure.
+/// Guarantees   an edge moves by no more than its tolerance or the gap that it had, and lies within 1e-7 of the borders of its faces then;
+///              vertices stay where they are
 class EdgeFitting
 {
 public:
@@ -39,8 +40,6 @@ private:
 
     [[nodiscard]] double gapOf(const BrepEdge& edge, const ParameterCurve& curve,
                                const Surface& surface) const;
-    [[nodiscard]] std::shared_ptr<const Curve> movedCurve(const BrepEdge& edge, const std::vector<Use>& uses,
-                                                          double gap) const;
     [[nodiscard]] IdVector<BrepEdgeId, std::vector<Use>> collectUses();
     void move(BrepEdgeId id, const std::vector<Use>& uses);
     void noteGap(const Use& use);

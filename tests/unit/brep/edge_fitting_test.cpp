@@ -12,6 +12,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -84,7 +85,7 @@ TEST(DisplacedCurve, KeepsTheContract)
         ADD_FAILURE() << broken;
 }
 
-TEST(EdgeFitting, PutsEdgesThatLieOffTheirFacesWhereTheseMeet)
+TEST(EdgeFitting, PutsEdgesThatLieOffTheirFacesWhereParameterCurvesAgree)
 {
     const auto read = readModelFromShape(loosened(BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape()));
     ASSERT_TRUE(read) << describe(read.error());
@@ -103,26 +104,41 @@ TEST(EdgeFitting, PutsEdgesThatLieOffTheirFacesWhereTheseMeet)
               12);
 }
 
-TEST(EdgeFitting, TrustsTheFacesWhereParameterCurvesAreOffAsWell)
+/// The parameter curves on plane faces follow the edges, as readers compute those that files do not have.
+void projectParameterCurves(const TopoDS_Shape& shape, const TopoDS_Edge& edge, const gp_Vec& by)
 {
-    TopoDS_Shape box = loosened(BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape());
-    const TopTools_IndexedMapOfShape faces = partsOf(box, TopAbs_FACE);
+    const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
     const BRep_Builder builder;
     for (int f = 1; f <= faces.Extent(); ++f) {
-        const TopTools_IndexedMapOfShape edges = partsOf(faces(f), TopAbs_EDGE);
-        for (int e = 1; e <= edges.Extent(); ++e) {
-            double first = 0.0, last = 0.0;
-            const TopoDS_Face& face = TopoDS::Face(faces(f));
-            const Handle(Geom2d_Curve) curve =
-                BRep_Tool::CurveOnSurface(TopoDS::Edge(edges(e)), face, first, last);
-            const gp_Vec2d by(0.01 * std::cos(f + 2.0 * e), 0.01 * std::sin(f + 2.0 * e));
-            builder.UpdateEdge(TopoDS::Edge(edges(e)), Handle(Geom2d_Curve)::DownCast(curve->Translated(by)),
-                               face, kTolerance);
-        }
+        const TopoDS_Face& face = TopoDS::Face(faces(f));
+        const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
+        if (plane.IsNull() || !partsOf(face, TopAbs_EDGE).Contains(edge)) continue;
+        double first = 0.0, last = 0.0;
+        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+        const gp_Vec2d shift(by * gp_Vec(plane->Position().XDirection()),
+                             by * gp_Vec(plane->Position().YDirection()));
+        builder.UpdateEdge(edge, Handle(Geom2d_Curve)::DownCast(curve->Translated(shift)), face, kTolerance);
+    }
+}
+
+TEST(EdgeFitting, LeavesEdgesWhereParameterCurvesDoNotAgree)
+{
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape();
+    const TopTools_IndexedMapOfShape edges = partsOf(box, TopAbs_EDGE);
+    const BRep_Builder builder;
+    for (int i = 1; i <= edges.Extent(); ++i) {
+        const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+        TopLoc_Location location;
+        double first = 0.0, last = 0.0;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, first, last);
+        const gp_Vec by(0.009, 0.006, -0.004);
+        builder.UpdateEdge(edge, Handle(Geom_Curve)::DownCast(curve->Translated(by)), location, kTolerance);
+        projectParameterCurves(box, edge, by);
     }
     const auto read = readModelFromShape(box);
     ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_LT(largestGap(read->model), 1e-6);
+    EXPECT_GT(largestGap(read->model), 1e-3);
+    for (const BrepEdge& edge : read->model.edges) EXPECT_EQ(edge.curve->kind(), CurveKind::Line);
 }
 
 TEST(EdgeFitting, LeavesEdgesOnTheirFacesAsTheyAre)
