@@ -53,12 +53,11 @@ QLabel* wrappedLabel(const char* name, QWidget* parent)
 
 MeshPanel::MeshPanel(const QuantityFieldMaker& makeField, QWidget* parent)
     : QWidget(parent),
-      size_(lengthField(makeField, "size", tr("automatic"),
+      size_(lengthField(makeField, "size", tr("auto"),
                         tr("Mean edge where nothing asks for less; units and expressions may be typed: "
                            "1/4 in, =Spreadsheet.width"),
                         this)),
-      minSize_(
-          lengthField(makeField, "minSize", tr("no limit"), tr("No size asked for is to be smaller"), this)),
+      minSize_(lengthField(makeField, "minSize", tr("off"), tr("No size asked for is to be smaller"), this)),
       curvature_(named(new QSpinBox(this), "curvature")),
       sag_(lengthField(makeField, "sag", tr("off"), tr("Largest distance of an edge from its curve or face"),
                        this)),
