@@ -37,11 +37,12 @@ void QualityHistogram::paintEvent(QPaintEvent*)
     const int textHeight = fontMetrics().height();
     const QRectF area(0.5, 2.5, width() - 1.0, height() - textHeight - 4.0);
     const double largest = std::max(1.0, *std::max_element(counts_.begin(), counts_.end()));
-    const double barWidth = area.width() / counts_.size();
-    for (int i = 0; i < counts_.size(); ++i) {
+    const int count = static_cast<int>(counts_.size());
+    const double barWidth = area.width() / count;
+    for (int i = 0; i < count; ++i) {
         if (counts_[i] <= 0.0) continue;
-        const double from = kStraight * i / counts_.size();
-        const double to = kStraight * (i + 1) / counts_.size();
+        const double from = kStraight * i / count;
+        const double to = kStraight * (i + 1) / count;
         const bool isBad = to <= kSmallAngle || from >= kLargeAngle;
         // A class with one element in a million is what one looks for: it never vanishes.
         const double barHeight = std::max(2.0, area.height() * counts_[i] / largest);

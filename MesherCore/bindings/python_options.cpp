@@ -100,7 +100,7 @@ void setFaces(MeshOptions& options, py::handle value)
 {
     // A text is a sequence, too, of letters.
     if (py::isinstance<py::str>(value)) throw py::cast_error();
-    for (const py::handle name : valueOf<py::sequence>(value))
+    for (const auto& name : valueOf<py::sequence>(value))
         options.faces.push_back(valueOf<std::string>(name));
 }
 
@@ -121,7 +121,7 @@ void setDistanceSizes(MeshOptions& options, py::handle value)
 
 void setBoxSizes(MeshOptions& options, py::handle value)
 {
-    for (const py::handle wish : valueOf<py::sequence>(value)) {
+    for (const auto& wish : valueOf<py::sequence>(value)) {
         const py::sequence items = itemsOf(wish, 3);
         options.boxSizes.push_back({pointOf(py::object(items[0])), pointOf(py::object(items[1])),
                                     itemOf<double>(items, 2), growthAt(items, 3)});
@@ -130,7 +130,7 @@ void setBoxSizes(MeshOptions& options, py::handle value)
 
 void setBallSizes(MeshOptions& options, py::handle value)
 {
-    for (const py::handle wish : valueOf<py::sequence>(value)) {
+    for (const auto& wish : valueOf<py::sequence>(value)) {
         const py::sequence items = itemsOf(wish, 3);
         options.ballSizes.push_back({pointOf(py::object(items[0])), itemOf<double>(items, 1),
                                      itemOf<double>(items, 2), growthAt(items, 3)});

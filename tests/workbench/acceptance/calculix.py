@@ -46,7 +46,8 @@ class Bars(unittest.TestCase):
         fixing.References = [(part, fixed)]
         load = ObjectsFem.makeConstraintForce(self.document, "Force")
         load.References = [(part, loaded)]
-        load.Force = force
+        # A quantity from FreeCAD 0.21 on, whose number would be millinewtons, and a number of newtons before.
+        load.Force = f"{force} N" if load.getTypeIdOfProperty("Force") == "App::PropertyForce" else force
         load.Direction = (part, [direction])
         for member in (solver, material, fixing, load, mesh):
             analysis.addObject(member)
