@@ -11,7 +11,9 @@ import Mesh
 import Part
 
 import mesher
-from MesherWorkbench import make_mesh
+from mesher.fem_mesh import of_fem_mesh
+
+from MesherWorkbench import exporter, make_mesh
 from MesherWorkbench.factory import _OPTIONS
 from MesherWorkbench.tools.inspection import MeshArrays, boundary_of, used_of
 from MesherWorkbench.tools.mesh_tool import MeshTool
@@ -448,6 +450,45 @@ class Solids(_DocumentTest):
         with self.assertRaises(mesher.MeshingError) as refused:
             make_mesh(shell, size=0.5, dimension=3)
         self.assertIn("dimension=2", str(refused.exception))
+
+
+class Export(_DocumentTest):
+    def test_a_mesh_comes_back_from_its_document(self):
+        part = self._feature(Part.makeCylinder(5, 20))
+        obj = make_mesh(part, size=2.0, curvature=12)
+        direct = mesher.mesh(part.Shape, size=2.0, curvature=12)
+        mesh, names = of_fem_mesh(obj.FemMesh)
+        self.assertEqual(mesh.check(), [])
+        self.assertEqual(names, {"Face1": "Face1", "Face2": "Face2", "Face3": "Face3", "Solid1": "Solid1"})
+        for name in ("nodes", "triangles", "triangle_face", "tets", "tet_solid"):
+            self.assertTrue((getattr(mesh, name) == getattr(direct, name)).all(), name)
+
+    def test_files_in_all_formats(self):
+        obj = make_mesh(self._feature(Part.makeBox(1, 2, 3)), size=1.0)
+        for kind in exporter.FILE_TYPES:
+            extension = kind[kind.index("*") + 1:-1]
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "mesh" + extension)
+                exporter.export([obj, self.document.addObject("App::FeaturePython", "Other")], path)
+                self.assertGreater(os.path.getsize(path), 500, kind)
+
+    def test_other_elements_are_refused_and_leave_no_file(self):
+        cube = Fem.FemMesh()
+        for place in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)):
+            cube.addNode(*place)
+        cube.addVolume([1, 2, 3, 4, 5, 6, 7, 8])
+        obj = self.document.addObject("Fem::FemMeshObject", "Cube")
+        obj.FemMesh = cube
+        with tempfile.TemporaryDirectory() as folder:
+            exporter.export([obj], os.path.join(folder, "cube.msh"))
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_arrays_that_are_no_mesh(self):
+        nodes = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+        for triangles, faces, error in (([[0, 1, 3]], [0], IndexError), ([[0, 1, 2]], [-1], ValueError), ([[0, 1, 2]], [], ValueError),
+                                        ([[0, 1]], [0], ValueError)):
+            with self.assertRaises(error):
+                mesher.Mesh.of_arrays(nodes, triangles, faces)
 
 
 class Inspection(_DocumentTest):

@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace mesher::python {
 
@@ -84,6 +86,64 @@ void writeTo(const SharedMesh& mesh, const std::filesystem::path& path, const st
     if (!written) raise("WriteError", written.error());
 }
 
+template <class Value>
+using Rows = py::array_t<Value, py::array::c_style | py::array::forcecast>;
+
+void addNodes(ClassifiedMesh& mesh, const Rows<double>& places)
+{
+    if (places.ndim() != 2 || places.shape(1) != 3) throw py::value_error("nodes are rows of three numbers");
+    const auto rows = places.unchecked<2>();
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+        mesh.nodes.push_back({{rows(i, 0), rows(i, 1), rows(i, 2)}, EntityRef{}, {}});
+}
+
+/// Of a node that is on another entity: where it is on two of one dimension, it is on what they meet in, which nobody names.
+void joinEntities(EntityRef& known, EntityRef other)
+{
+    if (known.dimension < other.dimension || known == other) return;
+    const bool isFirst = known.dimension > other.dimension || known.index == EntityRef::kNone;
+    known = isFirst ? other : EntityRef{static_cast<std::uint8_t>(other.dimension - 1), EntityRef::kNone};
+}
+
+/// Elements of N nodes each, on the entities of one dimension; their nodes are on these as far as no other has them.
+template <std::size_t N>
+void addElements(ClassifiedMesh& mesh, std::vector<MeshElement<N>>& elements,
+                 const Rows<std::int64_t>& corners, const Rows<std::int64_t>& entities)
+{
+    constexpr auto kDimension = static_cast<std::uint8_t>(N - 1);
+    if (entities.size() == 0 && corners.size() == 0) return;
+    if (corners.ndim() != 2 || corners.shape(1) != N || entities.ndim() != 1 ||
+        entities.shape(0) != corners.shape(0))
+        throw py::value_error("elements are rows of " + std::to_string(N) + " nodes, with an entity each");
+    const auto rows = corners.template unchecked<2>();
+    const auto owners = entities.template unchecked<1>();
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+        if (owners(i) < 0 || owners(i) >= EntityRef::kNone) throw py::value_error("entities count from 0");
+        MeshElement<N> element{{}, {kDimension, static_cast<std::uint32_t>(owners(i))}};
+        for (std::size_t k = 0; k < N; ++k) {
+            const std::int64_t node = rows(i, static_cast<py::ssize_t>(k));
+            if (node < 0 || node >= static_cast<std::int64_t>(mesh.nodes.size()))
+                throw py::index_error("node " + std::to_string(node) +
+                                      " of an element is none of the mesh's");
+            element.node[k] = NodeId(static_cast<std::uint32_t>(node));
+            joinEntities(mesh.nodes[element.node[k]].entity, element.entity);
+        }
+        elements.push_back(element);
+    }
+}
+
+/// A mesh that others have made.
+SharedMesh meshOfArrays(const Rows<double>& nodes, const Rows<std::int64_t>& triangles,
+                        const Rows<std::int64_t>& triangleFaces, const Rows<std::int64_t>& tets,
+                        const Rows<std::int64_t>& tetSolids)
+{
+    auto mesh = std::make_shared<ClassifiedMesh>();
+    addNodes(*mesh, nodes);
+    addElements(*mesh, mesh->tets, tets, tetSolids);
+    addElements(*mesh, mesh->triangles, triangles, triangleFaces);
+    return mesh;
+}
+
 std::vector<std::string> problemsOf(const SharedMesh& mesh)
 {
     const py::gil_scoped_release released;
@@ -116,6 +176,9 @@ void bindMesh(py::module_& module)
                                [](const SharedMesh& mesh) { return entitiesOf(mesh->tets, mesh); })
         .def_property_readonly("unit", [](const SharedMesh& mesh) { return mesh->unit; })
         .def_property_readonly("hash", [](const SharedMesh& mesh) { return classifiedMeshHash(*mesh); })
+        .def_static("of_arrays", &meshOfArrays, py::arg("nodes"), py::arg("triangles"),
+                    py::arg("triangle_face"), py::arg("tets") = Rows<std::int64_t>(0),
+                    py::arg("tet_solid") = Rows<std::int64_t>(0))
         .def("check", &problemsOf)
         .def("write", &writeTo, py::arg("path"), py::arg("format") = "", py::arg("groups") = "bounding");
 }

@@ -5,6 +5,7 @@ import tempfile
 
 import numpy
 
+from ._core import Mesh
 from .model_argument import memory_directory
 
 _VTK_TRIANGLE, _VTK_TET = 5, 10
@@ -28,6 +29,45 @@ def to_fem_mesh(mesh, lines=False, names=None):
             fem_mesh.addEdge(nodes, number)
         _add_groups(fem_mesh, mesh.line_edge, "Edge", "Edge", first, names)
     return fem_mesh
+
+
+def of_fem_mesh(fem_mesh):
+    """The mesh of a Fem.FemMesh of triangles and tetrahedra, and what the groups of its faces and solids are called, by our names of
+    them: {"Face1": "Face6"}. What is in no group of faces or volumes is in one of its own. Raises ValueError for other elements."""
+    places = fem_mesh.Nodes
+    numbers = numpy.array(sorted(places), dtype=numpy.int64)
+    nodes = numpy.array([tuple(places[number]) for number in numbers.tolist()]).reshape(-1, 3)
+    arrays, names = [], {}
+    for kind, prefix, group_type, elements in ((_VTK_TRIANGLE, "Face", "Face", fem_mesh.Faces), (_VTK_TET, "Solid", "Volume", fem_mesh.Volumes)):
+        kept = _KEPT[kind]
+        rows = [fem_mesh.getElementNodes(element) for element in elements]
+        if any(len(row) != len(kept) for row in rows):
+            raise ValueError("it has elements of other kinds than triangles and tetrahedra of the first order")
+        corners = numpy.searchsorted(numbers, numpy.array(rows, dtype=numpy.int64).reshape(-1, len(kept)))
+        owners, called = _owners_of(fem_mesh, numpy.array(elements, dtype=numpy.int64), group_type)
+        names.update((f"{prefix}{number}", name) for number, name in enumerate(called, 1))
+        # Back from the order of FreeCAD.
+        arrays += [corners[:, numpy.argsort(kept)], owners]
+    return Mesh.of_arrays(nodes, *arrays), names
+
+
+def _owners_of(fem_mesh, elements, group_type):
+    """The number of each element's group, and the names of these groups."""
+    owners = numpy.full(len(elements), -1, dtype=numpy.int64)
+    order = numpy.argsort(elements)
+    names = []
+    for group in fem_mesh.Groups:
+        if fem_mesh.getGroupElementType(group) != group_type:
+            continue
+        members = order[numpy.searchsorted(elements, sorted(fem_mesh.getGroupElements(group)), sorter=order)]
+        free = members[owners[members] < 0]
+        if len(free):
+            owners[free] = len(names)
+            names.append(fem_mesh.getGroupName(group))
+    if (owners < 0).any():
+        owners[owners < 0] = len(names)
+        names.append("rest")
+    return owners, names
 
 
 @functools.cache

@@ -1,9 +1,5 @@
 """The mesh object of a document. Properties are named as those of FEM's own mesh objects where they mean the same."""
 
-import FreeCAD
-
-from ..tools.meshed_shape import differs_from_mesh
-
 _DIMENSIONS = ["From Shape", "2D", "3D"]
 _ORDERS = ["1st", "2nd"]
 _OVERLAPS = ["separate", "refuse"]
@@ -81,6 +77,10 @@ class MesherMesh:
 
     def execute(self, obj):
         # Meshing is asked for by a command, as with FEM's own mesh objects: a recompute must not take minutes.
+        import FreeCAD
+
+        from ..tools.meshed_shape import differs_from_mesh
+
         is_stale = differs_from_mesh(obj)
         if is_stale and not obj.IsStale:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: its shape has changed since it was meshed; mesh it again.\n")
