@@ -44,6 +44,7 @@ class TaskMesh:
         self._is_open = True
         self._is_new = is_new
         self._tool = None
+        self._known = None  # has read the shape
         self._task = None
         self._estimate = None
         self._stopped_at = None
@@ -250,7 +251,7 @@ class TaskMesh:
         if self._task is not None:
             return
         try:
-            tool = MeshTool(self._obj, self._values())
+            tool = self._known = MeshTool(self._obj, self._values(), self._known)
         except Exception as error:
             self.form.setProperty("estimate", in_words_of_panel(error))
             return
@@ -264,8 +265,8 @@ class TaskMesh:
             self.form.setProperty("estimate", texts.estimate_text(task.result, self._is_volume))
         else:
             # A mesh may be possible all the same: curved faces, for one, have no estimate.
-            is_option = isinstance(task.error, mesher.OptionError)
-            self.form.setProperty("estimate", in_words_of_panel(task.error) if is_option else "")
+            is_told = isinstance(task.error, (mesher.OptionError, mesher.ModelError))
+            self.form.setProperty("estimate", in_words_of_panel(task.error) if is_told else "")
 
     # the run
     def start(self):
@@ -274,7 +275,7 @@ class TaskMesh:
         try:
             if not self._is_alive():
                 raise ValueError(translated("The mesh object was deleted. Close this panel."))
-            self._tool = MeshTool(self._obj, self._values())
+            self._tool = self._known = MeshTool(self._obj, self._values(), self._known)
         except Exception as error:
             self._finish(in_words_of_panel(error))
             show_refusal(in_words_of_panel(error))

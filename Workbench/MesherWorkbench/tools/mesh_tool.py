@@ -2,6 +2,7 @@
 `estimate` between them may be on any."""
 import json
 import re
+import threading
 import warnings
 
 import FreeCAD
@@ -10,9 +11,8 @@ import mesher
 
 from . import size_words
 from .mesh_draft import MeshDraft
-from .meshed_shape import meshed_shape
+from .meshed_shape import meshed_shape, pieces_of
 from .shape_hash import hash_of
-
 
 # They are in the report, and told with it in words of the document.
 warnings.filterwarnings("ignore", category=mesher.MesherWarning, module=__name__)
@@ -22,29 +22,33 @@ HANDING_OVER = "handing the mesh to FreeCAD"
 
 
 class MeshTool:
-    """One run of the mesher for one mesh object; `values` are in place of those of its properties."""
+    """One run of the mesher for one mesh object; `values` are in place of those of its properties. `known` is a tool that may have read
+    the shape before."""
 
-    def __init__(self, obj, values=None):
+    def __init__(self, obj, values=None, known=None):
         self._obj = obj
         obj = MeshDraft(obj, values or {})
-        shape = meshed_shape(obj)
-        self._hash = hash_of(shape.whole)
-        self._shape = shape
-        self._names = shape.names
+        pieces = pieces_of(obj)
+        self._key = obj.HealShape, obj.References, [(piece.place, piece.shape.hashCode()) for piece in pieces]
+        is_known = known is not None and known._key == self._key
+        self._shape = known._shape if is_known else meshed_shape(obj, pieces)
+        self._read = known._read if is_known else _ModelOnce(self._shape.shape, obj.HealShape)
+        self._names = self._shape.names
+        self._hash = ""
         self._ready = None, None
-        self._model = mesher.model_of(shape.shape, obj.HealShape)
-        self._options = options_of(obj, shape)
+        self._options = options_of(obj, self._shape)
 
     def run(self, progress=None):
         """The mesh; raises what mesher.mesh raises. It is made ready for the document as well, which takes its time."""
-        mesh = mesher.mesh(self._model, progress=progress, **self._options)
+        mesh = mesher.mesh(self._read.model(), progress=progress, **self._options)
+        self._hash = hash_of(self._shape.whole)
         if progress is None or progress(HANDING_OVER, 1.0):
             self._ready = mesh, mesh.to_fem_mesh(names=self._names)
         return mesh
 
     def estimate(self, progress=None):
         """What a run is going to take; raises what mesher.estimate raises."""
-        return mesher.estimate(self._model, progress=progress, **self._options)
+        return mesher.estimate(self._read.model(), progress=progress, **self._options)
 
     @property
     def is_volume(self):
@@ -83,9 +87,24 @@ class MeshTool:
         kind = "tetrahedra" if is_volume else "triangles"
         FreeCAD.Console.PrintMessage(f"{obj.Label}: {obj.ElementCount} {kind}, {obj.NodeCount} nodes, angles from {obj.SmallestAngle:.2f} "
                                      f"to {obj.LargestAngle:.2f} degrees\n")
-        obj.ShapeHash = self._hash
+        obj.ShapeHash = self._hash or hash_of(self._shape.whole)
         obj.IsStale = False
         obj.purgeTouched()
+
+
+class _ModelOnce:
+    """The mesher's model of a shape, read by the first thread that needs it."""
+
+    def __init__(self, shape, heal):
+        self._shape, self._heal = shape, heal
+        self._lock = threading.Lock()
+        self._model = None
+
+    def model(self):
+        with self._lock:
+            if self._model is None:
+                self._model = mesher.model_of(self._shape, self._heal)
+            return self._model
 
 
 def options_of(obj, shape):

@@ -49,9 +49,9 @@ class MeshedShape:
         return element if len(self._pieces) == 1 else name_at(place, element)
 
 
-def meshed_shape(obj):
-    """Of a mesh object; raises ModelError with what to do about it."""
-    pieces = pieces_of(obj)
+def meshed_shape(obj, pieces=None):
+    """Of a mesh object, and of its pieces as far as they are known; raises ModelError with what to do about it."""
+    pieces = pieces_of(obj) if pieces is None else pieces
     if not pieces or any(piece.shape.isNull() for piece in pieces):
         raise refusal(obj.Part, "the shape is empty", "recompute the document or choose another object")
     if len(pieces) > 1:

@@ -45,10 +45,10 @@ def pieces_at(place):
 
 def piece_of(part):
     """Of an object that is meshed by itself, where its containers have it."""
-    shape = part.Shape
+    shape = Part.getShape(part, "", needSubElement=False)
     where = part.getGlobalPlacement() if hasattr(part, "getGlobalPlacement") else part.Placement
     if where != part.Placement:
-        shape = shape.copy()
+        # Of another place, but of the same faces: what was read of these holds.
         shape.Placement = where
     return Piece(Place(part, ""), part, shape)
 
