@@ -1,5 +1,6 @@
 #include "pipeline/mesh_model.h"
 
+#include "brep/edge_moving.h"
 #include "brep/planarity.h"
 #include "pipeline/mesh_planar.h"
 #include "pipeline/mesh_solids.h"
@@ -9,6 +10,8 @@
 #include "pipeline/stage_failure.h"
 #include "predicates/fp_environment.h"
 
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,12 +74,47 @@ MeshOutcome meshOrTellFailure(const BrepModel& model, const MeshOptions& options
     }
 }
 
+/// The faces named in the failures, "Face29 and Face38".
+std::vector<BrepFaceId> failedFaces(const MeshReport& report, const BrepModel& model)
+{
+    std::vector<BrepFaceId> faces;
+    for (const Error& error : report.failures) {
+        std::istringstream words(error.entity);
+        for (std::string word; words >> word;) {
+            const std::optional<EntityRef> entity = entityNamed(word);
+            if (entity && entity->dimension == 2 && entity->index < model.faces.size())
+                faces.push_back(BrepFaceId(entity->index));
+        }
+    }
+    return faces;
+}
+
+/// Where faces fail whose edges lie off them, the run is repeated with these moved onto them.
+MeshOutcome meshWithinTolerances(const BrepModel& model, const MeshOptions& options,
+                                 const std::shared_ptr<const SizingField>& fromFiles, int boundaryOrder,
+                                 RunContext& context)
+{
+    constexpr int kMostRepeats = 3;
+    MeshOutcome outcome = meshOrTellFailure(model, options, fromFiles, boundaryOrder, context);
+    BrepModel changed = model;
+    std::vector<std::string> notes;
+    for (int i = 0; i < kMostRepeats && outcome.report.stopReason == StopReason::Done; ++i) {
+        const std::vector<std::string> moved =
+            moveEdgesOntoFaces(changed, failedFaces(outcome.report, model));
+        if (moved.empty()) break;
+        notes.insert(notes.end(), moved.begin(), moved.end());
+        outcome = meshOrTellFailure(changed, options, fromFiles, boundaryOrder, context);
+    }
+    outcome.report.warnings.insert(outcome.report.warnings.begin(), notes.begin(), notes.end());
+    return outcome;
+}
+
 }  // namespace
 
 MeshOutcome meshModel(const BrepModel& model, const MeshOptions& options,
                       std::shared_ptr<const SizingField> fromFiles, int boundaryOrder, RunContext& context)
 {
-    MeshOutcome outcome = meshOrTellFailure(model, options, std::move(fromFiles), boundaryOrder, context);
+    MeshOutcome outcome = meshWithinTolerances(model, options, fromFiles, boundaryOrder, context);
     MeshReport& report = outcome.report;
     report.options = options;
     report.versions = {{"mesher", MESHER_VERSION}};

@@ -80,7 +80,7 @@ public:
             auto added = guarded(name, kRepairRemedy, [&] { return addFace(TopoDS::Face(faces_(i)), name); });
             if (!added) return added.error();
         }
-        fitting_.finish();
+        noteGaps();
         addSolids();
         noteStrayEntities();
         model_.box = boxOf(model_);
@@ -269,6 +269,15 @@ private:
         }
         if (geometry.IsNull()) return nullptr;
         return makeParameterCurve(nameOf(id) + " on " + name, geometry, {first, last}, own.part);
+    }
+
+    void noteGaps()
+    {
+        for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
+            for (const BrepLoop& loop : model_.faces[BrepFaceId(f)].loops) {
+                for (const BrepCoedge& coedge : loop.coedges) fitting_.noteGaps(coedge, BrepFaceId(f));
+            }
+        }
     }
 
     /// Lies in a solid and bounds nothing of it.

@@ -1,4 +1,4 @@
-#include "brep/edge_fitting.h"
+#include "brep/edge_moving.h"
 
 #include "brep/analytic/line_curve.h"
 #include "brep/displaced_curve.h"
@@ -68,8 +68,6 @@ double largestGap(const BrepModel& model)
     return gap;
 }
 
-}  // namespace
-
 TEST(DisplacedCurve, KeepsTheContract)
 {
     const auto line =
@@ -83,25 +81,6 @@ TEST(DisplacedCurve, KeepsTheContract)
     }
     for (const std::string& broken : test::findBrokenPromises(curve, {0.0, 2.0}, 10.0))
         ADD_FAILURE() << broken;
-}
-
-TEST(EdgeFitting, PutsEdgesThatLieOffTheirFacesWhereParameterCurvesAgree)
-{
-    const auto read = readModelFromShape(loosened(BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape()));
-    ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_LT(largestGap(read->model), 1e-6);
-    for (const BrepEdge& edge : read->model.edges) {
-        for (const double share : {0.1, 0.5, 0.8}) {
-            const Vec3 a = read->model.vertices[edge.first].position;
-            const Vec3 b = read->model.vertices[edge.last].position;
-            EXPECT_LT(length(edge.curve->position(edge.part.at(share)) - a - share * (b - a)), 1e-6);
-        }
-    }
-    EXPECT_EQ(std::count_if(read->model.notes.begin(), read->model.notes.end(),
-                            [](const std::string& note) {
-                                return note.find("was moved onto them") != std::string::npos;
-                            }),
-              12);
 }
 
 /// The parameter curves on plane faces follow the edges, as readers compute those that files do not have.
@@ -121,7 +100,38 @@ void projectParameterCurves(const TopoDS_Shape& shape, const TopoDS_Edge& edge, 
     }
 }
 
-TEST(EdgeFitting, LeavesEdgesWhereParameterCurvesDoNotAgree)
+std::vector<BrepFaceId> allFaces(const BrepModel& model)
+{
+    std::vector<BrepFaceId> faces;
+    for (std::uint32_t f = 0; f < model.faces.size(); ++f) faces.push_back(BrepFaceId(f));
+    return faces;
+}
+
+/// Of the edges of a box from the straight lines between their vertices.
+double largestBend(const BrepModel& model)
+{
+    double bend = 0.0;
+    for (const BrepEdge& edge : model.edges) {
+        const Vec3 a = model.vertices[edge.first].position, b = model.vertices[edge.last].position;
+        for (const double share : {0.1, 0.5, 0.8}) {
+            const Vec3 place = edge.curve->position(edge.part.at(share));
+            bend = std::max(bend, length(place - a - share * (b - a)));
+        }
+    }
+    return bend;
+}
+
+TEST(EdgeMoving, PutsEdgesWhereParameterCurvesAgree)
+{
+    auto read = readModelFromShape(loosened(BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape()));
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_GT(largestBend(read->model), 0.01);
+    EXPECT_EQ(moveEdgesOntoFaces(read->model, allFaces(read->model)).size(), 12u);
+    EXPECT_LT(largestGap(read->model), 1e-6);
+    EXPECT_LT(largestBend(read->model), 1e-6);
+}
+
+TEST(EdgeMoving, PutsEdgesWhereFacesMeetIfParameterCurvesAreOffAsWell)
 {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape();
     const TopTools_IndexedMapOfShape edges = partsOf(box, TopAbs_EDGE);
@@ -135,23 +145,28 @@ TEST(EdgeFitting, LeavesEdgesWhereParameterCurvesDoNotAgree)
         builder.UpdateEdge(edge, Handle(Geom_Curve)::DownCast(curve->Translated(by)), location, kTolerance);
         projectParameterCurves(box, edge, by);
     }
-    const auto read = readModelFromShape(box);
+    auto read = readModelFromShape(box);
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_GT(largestGap(read->model), 1e-3);
-    for (const BrepEdge& edge : read->model.edges) EXPECT_EQ(edge.curve->kind(), CurveKind::Line);
+    moveEdgesOntoFaces(read->model, allFaces(read->model));
+    EXPECT_LT(largestGap(read->model), 1e-6);
+    EXPECT_LT(largestBend(read->model), 1e-6);
 }
 
-TEST(EdgeFitting, LeavesEdgesOnTheirFacesAsTheyAre)
+TEST(EdgeMoving, LeavesEdgesOnTheirFacesAndOfOtherFacesAsTheyAre)
 {
     const TopoDS_Shape block =
         BRepAlgoAPI_Cut(
             BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape(),
             BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(1.0, 1.0, -1.0), gp_Dir(0.1, 0.0, 1.0)), 0.4, 3.0).Shape())
             .Shape();
-    const auto read = readModelFromShape(block);
+    auto read = readModelFromShape(block);
     ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_TRUE(read->model.notes.empty());
-    for (const BrepEdge& edge : read->model.edges) EXPECT_NE(edge.curve->kind(), CurveKind::Other);
+    EXPECT_TRUE(moveEdgesOntoFaces(read->model, allFaces(read->model)).empty());
+    auto loose = readModelFromShape(loosened(BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape()));
+    ASSERT_TRUE(loose) << describe(loose.error());
+    EXPECT_EQ(moveEdgesOntoFaces(loose->model, {BrepFaceId(0)}).size(), 4u);
 }
 
+}  // namespace
 }  // namespace mesher
