@@ -100,8 +100,7 @@ void setFaces(MeshOptions& options, py::handle value)
 {
     // A text is a sequence, too, of letters.
     if (py::isinstance<py::str>(value)) throw py::cast_error();
-    for (const auto& name : valueOf<py::sequence>(value))
-        options.faces.push_back(valueOf<std::string>(name));
+    for (const auto& name : valueOf<py::sequence>(value)) options.faces.push_back(valueOf<std::string>(name));
 }
 
 void setLocalSizes(MeshOptions& options, py::handle value)
