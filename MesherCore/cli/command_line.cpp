@@ -65,9 +65,9 @@ po::options_description meshingOptions()
         "of solids: separate meshes each for itself, with a warning, refuse fails the run (default "
         "separate)");
     add("max-wall-elements", po::value<std::string>(),
-        "that thin walls, gaps and cusps may take; those that take more get flat ones (default: about as "
-        "many as the "
-        "sizes ask for)");
+        "that thin walls, gaps and cusps may take, and faces far narrower than the sizes; those that take "
+        "more "
+        "get flat ones (default: about as many as the sizes ask for)");
     add("timeout", po::value<std::string>(), "seconds after which the run ends");
     add("heal", po::bool_switch(), "let the CAD kernel repair the model first");
     return options;

@@ -17,6 +17,7 @@ struct MeshEstimate
     double elements = 0.0;  ///< triangles, or tetrahedra
     double bytes = 0.0;     ///< at the peak
     double seconds = 0.0;   ///< on one thread of an ordinary machine
+    double forSizes = 0.0;  ///< elements that the sizes alone ask for, whatever bends
     std::string
         entity{};  ///< that most of them are at, where one has far more than all the others; else empty
     bool isLeast = false;  ///< what the shape needs is not known; it may be far more

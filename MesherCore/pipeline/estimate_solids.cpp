@@ -276,7 +276,8 @@ std::shared_ptr<const SizingField> featuresOf(const BrepModel& model, const Mesh
     ofShape.curvature = ofShape.sag = 0.0;
     SurfaceSamplingOptions sampling = samplingOfShape(ofShape);
     sampling.walls.sides = &*sides;
-    sampling.walls.maxTets = wallBudgetOfFeatures(options);
+    sampling.walls.maxTets = wallBudgetOfFeatures(options).walls;
+    sampling.walls.maxStripTets = wallBudgetOfFeatures(options).strips;
     sampling.walls.leastSize = options.minSize.value_or(0.0);
     return featureSizes(model, *sides, sampling, *options.refinement, options.grading, context).field;
 }
@@ -370,7 +371,8 @@ MeshEstimate estimateSolids(const BrepModel& model, const ModelMeasures& measure
                             const SizingField* sizes, RunContext& context)
 {
     const double largest = largestSize(model, options);
-    double tets = tetsForSizes(model, measures.volume, sizes, largest, nullptr, context);
+    const double forSizes = tetsForSizes(model, measures.volume, sizes, largest, nullptr, context);
+    double tets = forSizes;
     for (std::uint32_t i = 0; i < model.faces.size() && context.mayGoOn(); ++i) {
         const BrepFaceId f(i);
         tets +=
@@ -378,7 +380,9 @@ MeshEstimate estimateSolids(const BrepModel& model, const ModelMeasures& measure
     }
     BoundaryElements boundary;
     if (sizes != nullptr) boundary = boundaryElements(model, measures, *sizes, largest, context);
-    return costOfTets(tets, model, boundary);
+    MeshEstimate estimate = costOfTets(tets, model, boundary);
+    estimate.forSizes = std::max(forSizes, boundary.count());
+    return estimate;
 }
 
 MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& options,
@@ -387,7 +391,7 @@ MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& o
     const ModelMeasures measures = measureModel(model, context);
     const MeshEstimate forSizes = estimateSolids(model, measures, options, sizes.get(), context);
     const std::vector<ModelComponent> components = solidComponents(model);
-    const std::vector<double> maxWallTets = wallBudgets(components, options, forSizes);
+    const std::vector<WallBudget> budgets = wallBudgets(components, options, forSizes);
     const double largest = largestSize(model, options);
     std::vector<std::shared_ptr<const SizingField>> fields;
     if (sizes) fields.push_back(sizes);
@@ -399,7 +403,8 @@ MeshEstimate estimateSolidsBySample(const BrepModel& model, const MeshOptions& o
         if (!sides) return leastOf(forSizes);
         SurfaceSamplingOptions sampling = samplingOfShape(options);
         sampling.walls.sides = &*sides;
-        sampling.walls.maxTets = maxWallTets[i];
+        sampling.walls.maxTets = budgets[i].walls;
+        sampling.walls.maxStripTets = budgets[i].strips;
         sampling.walls.leastSize = options.minSize.value_or(0.0);
         // Without a size, facets are as the shape makes them.
         if (options.size || sizes) {

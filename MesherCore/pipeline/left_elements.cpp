@@ -46,6 +46,8 @@ std::string reasonOf(const LeftPlace3d& place)
         case LeftReason3d::ThinWall:
             return "the thin wall between " + nameOf(place.entity[0]) + " and " + nameOf(place.entity[1]) +
                    " is kept flat";
+        case LeftReason3d::NarrowFace:
+            return nameOf(place.entity[0]) + " is so narrow there that it is kept flat";
         case LeftReason3d::LengthScale:
             return "better ones would be far smaller than the shape around them" + besideText(place.entity);
         case LeftReason3d::Boundary:
@@ -64,6 +66,7 @@ std::string remedyOf(LeftReason3d reason)
         case LeftReason3d::SmallInputAngle:
             return "no mesh is better beside such an angle; round it off if that matters";
         case LeftReason3d::ThinWall: return "raise --max-wall-elements, or mesh the wall as a shell";
+        case LeftReason3d::NarrowFace: return "raise --max-wall-elements, or remove the face";
         case LeftReason3d::LengthScale:
         case LeftReason3d::Boundary: return "choose a smaller --size there";
         case LeftReason3d::NoHeadway:
@@ -162,6 +165,17 @@ std::string warningOf(const SurveyedWall& wall)
            remedy;
 }
 
+std::string warningOf(const SurveyedStrip& strip)
+{
+    const std::string remedy = strip.isBelowLeastSize
+                                   ? "they would be smaller than --min-size"
+                                   : "good ones would bring about " + rounded(strip.tets) +
+                                         " tetrahedra, --max-wall-elements " + typed(kSafety * strip.needed) +
+                                         " allows that many";
+    return nameOf(strip.face) + ", down to " + rounded(strip.width) +
+           " wide, is left with flat triangles and tetrahedra: " + remedy;
+}
+
 std::string warningOf(const ThinWall& wall)
 {
     return wallText(wall.face, wall.thickness) + ", is left with flat tetrahedra: good ones would be about " +
@@ -237,6 +251,11 @@ void tellWalls(const SurfaceSamplingCounts& counts, MeshReport& report)
     std::stable_sort(kept.begin(), kept.end(),
                      [](const SurveyedWall& a, const SurveyedWall& b) { return a.tets > b.tets; });
     warnOf(kept, " more walls are left with flat tetrahedra", report);
+    std::vector<SurveyedStrip> strips = counts.surveyedStrips;
+    std::erase_if(strips, [](const SurveyedStrip& strip) { return !strip.isKept; });
+    std::stable_sort(strips.begin(), strips.end(),
+                     [](const SurveyedStrip& a, const SurveyedStrip& b) { return a.tets > b.tets; });
+    warnOf(strips, " more narrow faces are left with flat triangles", report);
     std::vector<CoarseWall> coarse = counts.walls.left;
     std::erase_if(coarse, [](const CoarseWall& wall) { return wall.sagShare < kCoarseEnough; });
     std::stable_sort(coarse.begin(), coarse.end(),

@@ -14,6 +14,7 @@ namespace {
 
 constexpr auto kAtSmallAngle = "edges of the shape meet there at a small angle";
 constexpr auto kAtRim = "the rim of a thin wall is kept flat";
+constexpr auto kOnStrip = "the face is so narrow there that it is kept flat";
 constexpr auto kNoPlace = "no place for a better vertex was found";
 
 std::string rounded(double value)
@@ -50,6 +51,7 @@ LeftElements trianglesLeft(FacetLeft reason, const std::string& face)
             return trianglesLeft(kAtSmallAngle, face,
                                  "no mesh is better there; round the angle off if that matters");
         case FacetLeft::Rim: return trianglesLeft(kAtRim, face, "raise --max-wall-elements");
+        case FacetLeft::Strip: return trianglesLeft(kOnStrip, face, "raise --max-wall-elements");
         case FacetLeft::No:
         case FacetLeft::Resolution: break;
     }

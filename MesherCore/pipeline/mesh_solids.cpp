@@ -182,10 +182,9 @@ MeshOutcome meshSolids(const BrepModel& model, const MeshOptions& options,
     }
     const std::vector<ModelComponent> components = solidComponents(model);
     std::deque<SolidRun> runs;
-    const std::vector<double> maxWallTets = wallBudgets(components, options, estimate);
+    const std::vector<WallBudget> budgets = wallBudgets(components, options, estimate);
     for (std::size_t i = 0; i < components.size(); ++i)
-        runs.emplace_back(components[i].model, options, sizes.value(), maxWallTets[i], context)
-            .sampleSurfaces();
+        runs.emplace_back(components[i].model, options, sizes.value(), budgets[i], context).sampleSurfaces();
     std::vector<SolidOverlap> overlaps;
     bool areFree = false;
     if (context.mayGoOn()) {

@@ -36,10 +36,10 @@ constexpr double kLeastGapShare = 1e-7;
 }  // namespace
 
 SolidRun::SolidRun(const BrepModel& model, const MeshOptions& options,
-                   std::shared_ptr<const SizingField> sizes, double maxWallTets, RunContext& context)
+                   std::shared_ptr<const SizingField> sizes, const WallBudget& budget, RunContext& context)
     : model_(model),
       options_(options),
-      maxWallTets_(maxWallTets),
+      budget_(budget),
       context_(context),
       wishes_(std::move(sizes)),
       sizes_(wishes_)
@@ -120,7 +120,8 @@ SurfaceSamplingOptions SolidRun::samplingOfShape() const
     sampling.facets.minAngle = options_.minAngle;
     sampling.limits.maxElements = options_.maxElements;
     sampling.walls.sides = &sides_;
-    sampling.walls.maxTets = maxWallTets_;
+    sampling.walls.maxTets = budget_.walls;
+    sampling.walls.maxStripTets = budget_.strips;
     sampling.walls.leastSize = options_.minSize.value_or(0.0);
     return sampling;
 }
@@ -132,7 +133,8 @@ bool SolidRun::findFeatures()
     context_.enterStage("features");
     const StageWatch watch;
     SurfaceSamplingOptions sampling = samplingOfShape();
-    sampling.walls.maxTets = wallBudgetOfFeatures(options_);
+    sampling.walls.maxTets = wallBudgetOfFeatures(options_).walls;
+    sampling.walls.maxStripTets = wallBudgetOfFeatures(options_).strips;
     const FeatureSizes features =
         featureSizes(model_, sides_, sampling, *options_.refinement, options_.grading, context_);
     watch.addTo(report(), "features");
@@ -208,9 +210,10 @@ bool SolidRun::refine()
     refinement.quality.largestDihedral = options_.maxDihedral;
     refinement.quality.lambda = options_.lambda;
     refinement.leastGap = kLeastGapShare * length(model_.box.extent());
-    refinement.maxWallTets = kUncertaintyOfWalls * maxWallTets_;
+    refinement.maxWallTets = kUncertaintyOfWalls * budget_.walls;
     refinement.flatFacets =
         facetsOnWalls(*sample_.surface, sides_, keptOf(sample_.counts.surveyedWalls), context_);
+    refinement.flatStrips = facetsOnStrips(*sample_.surface);
     refinement.limits.maxElements = options_.maxElements;
     context_.enterStage("refinement");
     const StageWatch watch;

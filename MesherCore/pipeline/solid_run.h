@@ -5,6 +5,7 @@
 #include "mesh/region_sides.h"
 #include "pipeline/mesh_options.h"
 #include "pipeline/mesh_outcome.h"
+#include "pipeline/wall_budget.h"
 #include "sizing/sizing_field.h"
 #include "surface_sampling/sample_surface.h"
 #include "tetrahedralization/tetrahedralize.h"
@@ -21,7 +22,7 @@ class SolidRun
 {
 public:
     SolidRun(const BrepModel& model, const MeshOptions& options, std::shared_ptr<const SizingField> sizes,
-             double maxWallTets, RunContext& context);
+             const WallBudget& budget, RunContext& context);
 
     bool sampleSurfaces();
 
@@ -53,7 +54,7 @@ private:
 
     const BrepModel& model_;
     const MeshOptions& options_;
-    double maxWallTets_;
+    WallBudget budget_;
     RunContext& context_;
     RegionSides sides_;
     std::shared_ptr<const SizingField> wishes_;  ///< the sizes that the user asks for

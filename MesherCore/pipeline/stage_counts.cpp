@@ -31,6 +31,8 @@ void tellCounts(const SurfaceSamplingCounts& counts, MeshReport& report)
     add(report, "forced_stars", counts.refinement.forcedStars);
     add(report, "flat_walls", keptOf(counts.surveyedWalls).size());
     add(report, "rim_facets_left", counts.refinement.leftOnRims);
+    add(report, "flat_strips", facesOfKept(counts.surveyedStrips).size());
+    add(report, "strip_facets_left", counts.refinement.leftOnStrips);
     add(report, "wall_facet_splits", counts.walls.facetsSplit);
 }
 

@@ -21,31 +21,38 @@ double boxAreaOf(const BrepModel& model)
 
 }  // namespace
 
-std::vector<double> wallBudgets(const std::vector<ModelComponent>& components, const MeshOptions& options,
-                                const MeshEstimate& forSizes)
+std::vector<WallBudget> wallBudgets(const std::vector<ModelComponent>& components, const MeshOptions& options,
+                                    const MeshEstimate& estimate)
 {
-    if (options.maxWallElements)
-        return std::vector<double>(components.size(), static_cast<double>(*options.maxWallElements));
-    std::vector<double> budgets;
+    if (options.maxWallElements) {
+        const auto asked = static_cast<double>(*options.maxWallElements);
+        return std::vector<WallBudget>(components.size(), {asked, asked});
+    }
+    std::vector<WallBudget> budgets;
     double area = 0.0;
     for (const ModelComponent& component : components) area += boxAreaOf(component.model);
-    const double all = std::max(forSizes.elements, kLeastTets);
-    for (const ModelComponent& component : components)
-        budgets.push_back(area > 0.0 ? all * boxAreaOf(component.model) / area : all);
+    for (const ModelComponent& component : components) {
+        const double share = area > 0.0 ? boxAreaOf(component.model) / area : 1.0;
+        budgets.push_back({share * std::max(estimate.elements, kLeastTets),
+                           share * std::max(estimate.forSizes, kLeastTets)});
+    }
     return budgets;
 }
 
-double wallBudgetOfFeatures(const MeshOptions& options)
+WallBudget wallBudgetOfFeatures(const MeshOptions& options)
 {
     const double refinement = options.refinement.value_or(1.0);
     const double all =
         options.maxWallElements ? static_cast<double>(*options.maxWallElements) : kTetsForFeatures;
-    return all / (refinement * refinement * refinement);
+    const double each = all / (refinement * refinement * refinement);
+    return {each, each};
 }
 
-double wallBudgetOfFaces(const MeshOptions& options)
+WallBudget wallBudgetOfFaces(const MeshOptions& options)
 {
-    return options.maxWallElements ? static_cast<double>(*options.maxWallElements) : kTetsForFaces;
+    const double all =
+        options.maxWallElements ? static_cast<double>(*options.maxWallElements) : kTetsForFaces;
+    return {all, all};
 }
 
 }  // namespace mesher

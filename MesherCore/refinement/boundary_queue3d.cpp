@@ -95,7 +95,7 @@ void BoundaryQueue3d::pushEncroachedAt(TetId tet)
 {
     const Triangulation3d& mesh = state_.mesh;
     if (!state_.isMeshed(tet) || (mesh.flags(tet) & tet_flag::kConstraints) == 0) return;
-    if (state_.walls.isInKept(tet)) return;
+    if (state_.isLeftFlat(tet)) return;
     for (int face = 0; face < 4; ++face) {
         if (!mesh.isFaceConstrained({tet, face})) continue;
         const auto [a, b, c] = mesh.faceVertices({tet, face});
@@ -140,7 +140,8 @@ void BoundaryQueue3d::serveSegment()
     const VertexId a = state_.t.vertexOf[whole.node[0]];
     const VertexId b = state_.t.vertexOf[whole.node[1]];
     const double span = length(state_.mesh.position(b) - state_.mesh.position(a));
-    const bool maySplit = state_.maySplit(a, b) && state_.walls.maySplit(std::array{a, b}, span);
+    const bool maySplit = state_.maySplit(a, b) && state_.walls.maySplit(std::array{a, b}, span) &&
+                          state_.strips.maySplit(std::array{a, b}, span);
     const bool isAllowed =
         (state_.isTooLong(a, b) || (maySplit && !gaps_.isBeside(segment))) && span > 2.0 * floor();
     if (isAllowed) {
@@ -165,7 +166,8 @@ void BoundaryQueue3d::serveFacet()
     const std::optional<ProtectingBall> ball = ballOf(facet);
     const auto maySplit = [&] {
         return state_.maySplit(corners) && !gaps_.isInside(corners) &&
-               state_.walls.maySplit(corners, 2.0 * std::sqrt(ball->squaredRadius));
+               state_.walls.maySplit(corners, 2.0 * std::sqrt(ball->squaredRadius)) &&
+               state_.strips.maySplit(corners, 2.0 * std::sqrt(ball->squaredRadius));
     };
     const bool isAllowed =
         ball && (state_.isTooLarge(corners) || maySplit()) && ball->squaredRadius > floor() * floor();
@@ -248,6 +250,7 @@ void BoundaryQueue3d::finishSplit(const BoundarySplit3d& split)
     const VertexId v = split.vertex;
     const bool isLow = state_.scale.assign(v, state_.t.delaunay->neighboursOfCommitted(), ceilingAt(split));
     state_.walls.assign(v, split.surround);
+    state_.strips.assign(v, split.surround);
     const SurfaceSplitResult& made = splitter_.made();
     for (const SegmentId half : made.halves) {
         if (half.isValid() && isTooLong(half)) pushSegment(half);

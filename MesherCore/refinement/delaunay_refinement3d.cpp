@@ -41,6 +41,7 @@ public:
         countTets();
         flipAll(FacetSwap3d::kNearlyPlane);
         state_.walls.find(state_.splitter.mesh(), state_.options.maxWallTets, state_.options.flatFacets);
+        state_.strips.find(state_.splitter.mesh(), state_.options.flatStrips);
         insertSinks();
         if (state_.options.boundary == BoundaryPolicy::Split) {
             boundary_.pushSegments();

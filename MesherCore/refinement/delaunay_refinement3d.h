@@ -5,6 +5,7 @@
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_splitter.h"
 #include "refinement/boundary_split3d.h"
+#include "refinement/flat_strips.h"
 #include "refinement/length_scale3d.h"
 #include "refinement/narrow_gaps.h"
 #include "refinement/refinement_criteria.h"
@@ -59,6 +60,7 @@ enum class LeftReason3d : std::uint8_t
 {
     SmallInputAngle,  ///< beside `angle`
     ThinWall,         ///< in or beside a wall that is kept flat, between the faces in `entity` and `other`
+    NarrowFace,       ///< beside the face in `entity`, which is kept flat
     LengthScale,      ///< further refinement would go too far below the length scale
     Boundary,         ///< an entity beside it may not or cannot be split any further
     Resolution,       ///< no cavity, or no place for a vertex in double arithmetic
@@ -107,6 +109,8 @@ struct DelaunayRefinementOptions3d
     double maxWallTets = 1e6;
     /// On the sides of walls that are kept flat whatever they take, ascending.
     std::vector<FlatWallFacet> flatFacets;
+    /// Across narrow faces that are kept flat, ascending.
+    std::vector<FlatStripFacet> flatStrips;
     /// The work after which a refinement that makes no headway ends.
     WorkAllowance allowance;
 };

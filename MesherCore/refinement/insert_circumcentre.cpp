@@ -74,8 +74,8 @@ Attempt CircumcentreInsertion::attemptAt(TetId tet, const Vec3& point)
 /// that leaves room around it.
 Attempt CircumcentreInsertion::insertShortOf(TetId tet, const Vec3& centre)
 {
-    // Vertices in the middle of a flat wall would only be followed by more.
-    if (state_.walls.wallBeside(tet) != nullptr) return Attempt::Impossible;
+    // Vertices in the middle of a flat wall, or at a narrow face, would only be followed by more.
+    if (state_.walls.wallBeside(tet) != nullptr || state_.strips.faceBeside(tet)) return Attempt::Impossible;
     const TetFace blocking = firstConstraintTowards(state_.mesh, tet, centre, state_.t.delaunay->filter());
     Vec3 point = centre;
     if (blocking.isValid()) {

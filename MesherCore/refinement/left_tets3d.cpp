@@ -50,6 +50,11 @@ LeftTet3d explain(RefinementState3d& state, TetId tet, const TetVerdict& verdict
         left.other = {2, wall->face[1].value};
         return left;
     }
+    if (const std::optional<BrepFaceId> face = state.strips.faceBeside(tet)) {
+        left.reason = LeftReason3d::NarrowFace;
+        left.entity = {2, face->value};
+        return left;
+    }
     left.angle = state.smallAngleNear(tet);
     if (left.angle) {
         left.reason = LeftReason3d::SmallInputAngle;
@@ -80,8 +85,8 @@ std::vector<LeftTet3d> collectLeftTets(RefinementState3d& state, bool isStopped,
         const TetId tet(i);
         if (!state.isMeshed(tet)) continue;
         const TetVerdict verdict = state.judge(tet);
-        const bool isWall = state.walls.isInKept(tet);
-        if (verdict.need == TetNeed::Nothing && !(isWall && state.criteria.isBad(tet))) continue;
+        if (verdict.need == TetNeed::Nothing && !(state.isLeftFlat(tet) && state.criteria.isBad(tet)))
+            continue;
         left.push_back(explain(state, tet, verdict, isStopped, costliest));
     }
     return left;

@@ -62,7 +62,7 @@ Result<RefinedVolume> refineVolume(ConstrainedTetrahedralization& tetrahedraliza
     DelaunayRefinement3d refinement =
         refineDelaunay3d(tetrahedralization, splitter,
                          {options.sizing, options.quality, options.boundary, options.floor, options.leastGap,
-                          maxWallTets, options.flatFacets, options.allowance},
+                          maxWallTets, options.flatFacets, options.flatStrips, options.allowance},
                          budget, context);
     if (context.checkLevel() == CheckLevel::Full) {
         MESHER_INVARIANT(checkRefinement(tetrahedralization, splitter.mesh()).isValid());

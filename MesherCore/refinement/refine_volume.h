@@ -24,6 +24,8 @@ struct RefineVolumeOptions
     double maxWallTets = 1e6;
     /// On the sides of walls that are kept flat whatever they take, ascending.
     std::vector<FlatWallFacet> flatFacets;
+    /// Across narrow faces that are kept flat, ascending.
+    std::vector<FlatStripFacet> flatStrips;
     /// The work after which a refinement that makes no headway ends, with the mesh that it has.
     WorkAllowance allowance;
     BudgetLimits limits;

@@ -5,6 +5,7 @@
 #include "delaunay/constrained_tetrahedralization.h"
 #include "mesh/surface_splitter.h"
 #include "refinement/delaunay_refinement3d.h"
+#include "refinement/flat_strips.h"
 #include "refinement/kept_fans.h"
 #include "refinement/length_scale3d.h"
 #include "refinement/refinement_criteria.h"
@@ -28,6 +29,7 @@ struct RefinementState3d
           guard(t, splitter.mesh()),
           fans(t, splitter),
           walls(t),
+          strips(t),
           ledger(t, options.allowance),
           flips(*t.delaunay, DelaunayPart::Inside),
           flipBudget({}, context)
@@ -44,10 +46,12 @@ struct RefinementState3d
         const auto& node = splitter.mesh().facets[facet].node;
         return {t.vertexOf[node[0]], t.vertexOf[node[1]], t.vertexOf[node[2]]};
     }
-    /// What a meshed tetrahedron needs; nothing in a wall that is kept flat, whose facets have the sizes wanted.
+    /// In a wall, or across a narrow face, that is kept flat.
+    [[nodiscard]] bool isLeftFlat(TetId tet) const { return walls.isInKept(tet) || strips.isAcross(tet); }
+    /// What a meshed tetrahedron needs; nothing where it is left flat, at facets of the sizes wanted.
     [[nodiscard]] TetVerdict judge(TetId tet) const
     {
-        if (walls.isInKept(tet)) return {};
+        if (isLeftFlat(tet)) return {};
         TetVerdict verdict = criteria.judge(tet);
         if (verdict.need == TetNeed::HeldBack && isLambdaLifted && !smallAngleNear(tet))
             verdict.need = TetNeed::Quality;
@@ -73,7 +77,7 @@ struct RefinementState3d
     /// By the length scale. On walls that are kept flat facets are as long as they may be, whatever is beside the walls.
     [[nodiscard]] bool isTooLarge(const std::array<VertexId, 3>& facet) const
     {
-        return criteria.isTooLarge(facet) && !walls.isOnKept(facet);
+        return criteria.isTooLarge(facet) && !walls.isOnKept(facet) && !strips.isAcross(facet);
     }
     [[nodiscard]] bool isTooLong(VertexId a, VertexId b) const
     {
@@ -118,6 +122,7 @@ struct RefinementState3d
     SmallAngleGuard guard;
     KeptFans fans;
     ThinWalls walls;
+    FlatStrips strips;
     WorkLedger3d ledger;
     ConstrainedFlips3d flips;
     Budget flipBudget;  ///< flips end by themselves: it only lets them be cancelled

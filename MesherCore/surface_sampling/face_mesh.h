@@ -49,8 +49,9 @@ enum class FacetLeft : std::uint8_t
 {
     No,
     SmallAngle,  ///< its shortest side spans a small angle of the edges between two nodes of one shell
-    Rim,         ///< it is flat, on the rim of a wall that is to have few facets
-    Resolution   ///< no vertex was found that would remove it, or not without coming too near to others
+    Rim,  ///< it is flat, on the rim of a wall that is to have few facets, or waits for what becomes of such a place
+    Strip,      ///< it is flat, across a narrow face that is to have few facets
+    Resolution  ///< no vertex was found that would remove it, or not without coming too near to others
 };
 
 /// Corners counter-clockwise about du x dv; side i lies opposite corner i and runs from corner i+1 to corner i+2.

@@ -77,6 +77,14 @@ bool FacetCriteria::isTooLong(const FaceMesh& mesh, EdgeLink side) const
     return squaredLength(b.position - a.position) > wanted * wanted;
 }
 
+bool FacetCriteria::isTooLongForSizes(const FaceMesh& mesh, EdgeLink side) const
+{
+    constexpr double kStraight = std::numeric_limits<double>::infinity();
+    const Vec3 &a = mesh.position(mesh.from(side)), &b = mesh.position(mesh.to(side));
+    const double wanted = kSegmentBound * 0.5 * (sizeAt(a, kStraight) + sizeAt(b, kStraight));
+    return squaredLength(b - a) > wanted * wanted;
+}
+
 bool FacetCriteria::isHiding(const FaceVertex& a, const FaceVertex& b, const FaceVertex& c,
                              const FacetShape& shape) const
 {

@@ -74,6 +74,8 @@ public:
     /// Is the point so near to the fan around a tip that facets between them could not be good?
     [[nodiscard]] bool crowdsTip(const Vec3& point) const;
     [[nodiscard]] bool isTooLong(const FaceMesh& mesh, EdgeLink side) const;
+    /// The same for the sizes that are asked for, however the surface bends.
+    [[nodiscard]] bool isTooLongForSizes(const FaceMesh& mesh, EdgeLink side) const;
 
 private:
     /// The size below which curvature asks for nothing.

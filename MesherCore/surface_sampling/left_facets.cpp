@@ -12,7 +12,9 @@ namespace {
 /// Degrees: an angle that is smaller by no more than rounding is none.
 constexpr double kSlack = 1e-6;
 
-void addFacet(const FaceMesh& mesh, TriangleId t, double minAngle, std::array<LeftFacets, 4>& found)
+constexpr std::size_t kReasons = static_cast<std::size_t>(FacetLeft::Resolution) + 1;
+
+void addFacet(const FaceMesh& mesh, TriangleId t, double minAngle, std::array<LeftFacets, kReasons>& found)
 {
     const FaceTriangle& record = mesh.triangle(t);
     const std::array<Vec3, 3> corners = {mesh.position(record.v[0]), mesh.position(record.v[1]),
@@ -37,7 +39,7 @@ std::vector<LeftFacets> leftFacets(const SampledFaces& faces)
     for (std::uint32_t f = 0; f < faces.model().faces.size(); ++f) {
         const SampledFace* face = faces.face(BrepFaceId(f));
         if (face == nullptr) continue;
-        std::array<LeftFacets, 4> found;
+        std::array<LeftFacets, kReasons> found;
         const double minAngle = face->refiner.minAngle();
         for (std::uint32_t i = 0; i < face->mesh.triangleSlots(); ++i) {
             if (face->mesh.triangle(TriangleId(i)).isAlive)

@@ -90,22 +90,37 @@ void countResult(SampledSurface& surface, SurfaceSamplingCounts& counts)
     counts.facets = aliveFacets(surface.mesh());
 }
 
-/// Decides which walls are kept flat, refines what waited for that, and makes facets fine enough for their walls.
-StopReason treatWalls(SampledSurface& surface, const SurfaceSamplingOptions& options,
+/// Refines what has waited and is kept flat no more. Again, as long as that makes edges fine along narrow faces that are kept.
+StopReason refineRims(SampledSurface& surface, const SurfaceSamplingOptions& options,
                       SurfaceSamplingCounts& counts, RunContext& context)
 {
+    constexpr int kMostRounds = 4;
     SampledFaces& faces = surface.faces();
-    counts.surveyedWalls = surveyWalls(surface, *options.walls.sides, {options.walls.sizeAt}, context);
-    keepDearWalls(counts.surveyedWalls, options.walls.maxTets, options.walls.leastSize);
-    std::vector<WallSides> kept = keptOf(counts.surveyedWalls);
-    if (faces.keepRimsOf(kept)) {
+    const std::vector<WallSides> kept = keptOf(counts.surveyedWalls), good = goodOf(counts.surveyedWalls);
+    for (int round = 0; round < kMostRounds; ++round) {
+        if (!faces.keepRimsOf(kept, good, facesOfKept(counts.surveyedStrips))) break;
         const SamplingRounds rounds = faces.refine(options.limits, options.maxRounds, context);
         counts.rounds.rounds += rounds.rounds;
         counts.rounds.segmentSplits += rounds.segmentSplits;
         surface.assemble();
         if (rounds.stopReason != StopReason::Done) return rounds.stopReason;
+        if (!letFineStripsGo(surface, counts.surveyedWalls, {options.walls.sizeAt}, counts.surveyedStrips))
+            break;
     }
-    counts.walls = refineWalls(surface, options.walls, kept, options.limits, context);
+    return StopReason::Done;
+}
+
+/// Decides which walls and narrow faces are kept flat, refines what waited for that, and makes facets fine enough for their walls.
+StopReason treatWalls(SampledSurface& surface, const SurfaceSamplingOptions& options,
+                      SurfaceSamplingCounts& counts, RunContext& context)
+{
+    counts.surveyedWalls = surveyWalls(surface, *options.walls.sides, {options.walls.sizeAt}, context);
+    keepDearWalls(counts.surveyedWalls, options.walls.maxTets, options.walls.leastSize);
+    counts.surveyedStrips = surveyStrips(surface, counts.surveyedWalls, {options.walls.sizeAt});
+    keepDearStrips(counts.surveyedStrips, options.walls.maxStripTets, options.walls.leastSize);
+    const StopReason reason = refineRims(surface, options, counts, context);
+    if (reason != StopReason::Done) return reason;
+    counts.walls = refineWalls(surface, options.walls, keptOf(counts.surveyedWalls), options.limits, context);
     return counts.walls.refinement.stopReason;
 }
 

@@ -9,6 +9,7 @@
 #include "surface_sampling/certificate.h"
 #include "surface_sampling/curve_chains.h"
 #include "surface_sampling/initial_face_mesh.h"
+#include "surface_sampling/narrow_strips.h"
 #include "surface_sampling/sampled_surface.h"
 #include "surface_sampling/surface_refinement.h"
 #include "surface_sampling/wall_refinement.h"
@@ -55,6 +56,7 @@ struct SurfaceSamplingCounts
     FaceRefinementCounts refinement;
     std::vector<BrepFaceId> facesWithoutAngle;  ///< on which the least angle asked for is out of reach
     std::vector<SurveyedWall> surveyedWalls;
+    std::vector<SurveyedStrip> surveyedStrips;
     WallRefinement walls;
     SurfaceCertificate certificate;
 };

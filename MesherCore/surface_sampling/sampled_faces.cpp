@@ -200,9 +200,10 @@ void SampledFaces::leaveFlatOnRims(const RegionSides& sides)
     }
 }
 
-bool SampledFaces::keepRimsOf(std::vector<WallSides> walls)
+bool SampledFaces::keepRimsOf(std::vector<WallSides> walls, std::vector<WallSides> goodWalls,
+                              std::vector<BrepFaceId> strips)
 {
-    rims_->keep(std::move(walls));
+    rims_->keep(std::move(walls), std::move(goodWalls), std::move(strips));
     bool isAny = false;
     for (const auto& face : faces_) {
         if (!face || !face->refiner.hasFormerRim()) continue;

@@ -66,9 +66,9 @@ public:
     /// Flat facets on what may be the rims of walls wait until it is known which walls are kept flat. Requires the first meshes.
     void leaveFlatOnRims(const RegionSides& sides);
     [[nodiscard]] const WallRims& rims() const { return *rims_; }
-    /// From now on facets are left on the rims of these walls alone; faces with others that waited are refined again next.
-    /// False if there are none.
-    bool keepRimsOf(std::vector<WallSides> walls);
+    /// As WallRims::keep; faces with other facets that waited are refined again next. False if there are none.
+    bool keepRimsOf(std::vector<WallSides> walls, std::vector<WallSides> goodWalls,
+                    std::vector<BrepFaceId> strips);
     /// Has a facet split in the next refinement, whatever its shape.
     void force(BrepFaceId face, TriangleId facet);
 

@@ -320,7 +320,8 @@ std::array<FacetId, 2> SampledSurface::swap(FacetId first, FacetId second)
 
 bool SampledSurface::isOnFlatRim(FacetId facet) const
 {
-    return faces().face(mesh().facets[facet].face)->mesh.triangle(triangleOf(facet)).left == FacetLeft::Rim;
+    const FacetLeft left = faces().face(mesh().facets[facet].face)->mesh.triangle(triangleOf(facet)).left;
+    return left == FacetLeft::Rim || left == FacetLeft::Strip;
 }
 
 }  // namespace mesher

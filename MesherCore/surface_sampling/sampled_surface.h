@@ -32,7 +32,7 @@ public:
     [[nodiscard]] const SampledFaces& faces() const { return *faces_; }
     /// Where the facet is in its face's own mesh.
     [[nodiscard]] TriangleId triangleOf(FacetId facet) const { return triangleOf_[facet]; }
-    /// Whether the facet is narrow, and to stay so, on the rim of a wall that is kept flat.
+    /// Whether the facet is narrow, and to stay so, on the rim of a wall or across a strip that is kept flat.
     [[nodiscard]] bool isOnFlatRim(FacetId facet) const;
     /// Numbers nodes and facets again after the faces were refined: all ids of facets and of nodes inside of faces change.
     void assemble();

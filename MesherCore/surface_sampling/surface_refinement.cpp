@@ -32,6 +32,7 @@ FaceRefinementCounts& FaceRefinementCounts::operator+=(const FaceRefinementCount
     leftAtSmallAngles += other.leftAtSmallAngles;
     leftForResolution += other.leftForResolution;
     leftOnRims += other.leftOnRims;
+    leftOnStrips += other.leftOnStrips;
     releasedFans += other.releasedFans;
     return *this;
 }
@@ -63,6 +64,7 @@ FaceRefinementCounts FaceRefiner::counts() const
         if (!record.isAlive) continue;
         counts.leftAtSmallAngles += record.left == FacetLeft::SmallAngle ? 1 : 0;
         counts.leftOnRims += record.left == FacetLeft::Rim ? 1 : 0;
+        counts.leftOnStrips += record.left == FacetLeft::Strip ? 1 : 0;
         counts.leftForResolution += record.left == FacetLeft::Resolution ? 1 : 0;
     }
     return counts;
@@ -147,8 +149,6 @@ std::vector<SegmentId> FaceRefiner::takeProposals()
 
 void FaceRefiner::proposeIfEncroached(EdgeLink side)
 {
-    const SegmentId segment = mesh_.segment(side);
-    if (!segment.isValid() || mesh_.isSpoke(side)) return;
     // Across a rim each segment that is longer than the rim is wide has the other side's nodes in its ball.
     if (rimPlaceAt(side)) return;
     const Vec3& p = mesh_.position(mesh_.apex(side));
@@ -156,36 +156,32 @@ void FaceRefiner::proposeIfEncroached(EdgeLink side)
     if (!splitter_.encroaches(p, a, b)) return;
     // What is nearer than the floor could not be told from the segment by any number of splits.
     const double height2 = squaredLength(cross(b - a, p - a));
-    if (height2 >= floor_ * floor_ * squaredLength(b - a)) propose(segment);
+    if (height2 >= floor_ * floor_ * squaredLength(b - a)) propose(mesh_.segment(side));
+}
+
+/// If it is a segment that is too long, or encroached.
+void FaceRefiner::proposeIfNeeded(EdgeLink side)
+{
+    if (!mesh_.segment(side).isValid() || mesh_.isSpoke(side)) return;
+    if (isTooLong(side)) {
+        propose(mesh_.segment(side));
+    } else {
+        proposeIfEncroached(side);
+    }
 }
 
 void FaceRefiner::proposeSegments()
 {
     for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
         if (!mesh_.triangle(TriangleId(i)).isAlive) continue;
-        for (unsigned k = 0; k < 3; ++k) {
-            const EdgeLink side(TriangleId(i), k);
-            if (!mesh_.segment(side).isValid() || mesh_.isSpoke(side)) continue;
-            if (criteria_.isTooLong(mesh_, side)) {
-                propose(mesh_.segment(side));
-            } else {
-                proposeIfEncroached(side);
-            }
-        }
+        for (unsigned k = 0; k < 3; ++k) proposeIfNeeded(EdgeLink(TriangleId(i), k));
     }
 }
 
 void FaceRefiner::proposeAround(VertexId v)
 {
     mesh_.forEachTriangleAround(v, [&](EdgeLink opposite) {
-        for (unsigned k = 0; k < 3; ++k) {
-            const EdgeLink side(opposite.triangle(), k);
-            if (mesh_.segment(side).isValid() && !mesh_.isSpoke(side) && criteria_.isTooLong(mesh_, side)) {
-                propose(mesh_.segment(side));
-            } else {
-                proposeIfEncroached(side);
-            }
-        }
+        for (unsigned k = 0; k < 3; ++k) proposeIfNeeded(EdgeLink(opposite.triangle(), k));
     });
 }
 
@@ -242,10 +238,7 @@ void FaceRefiner::processTriangle(TriangleId t, FacetNeed need)
     const FaceTriangle& record = mesh_.triangle(t);
     const FacetShape shape =
         FacetShape::of(mesh_.position(record.v[0]), mesh_.position(record.v[1]), mesh_.position(record.v[2]));
-    if (rims_ != nullptr && !record.isForced && rimPlaceOf(t) && !criteria_.hidesSurface(mesh_, t)) {
-        mesh_.triangle(t).left = FacetLeft::Rim;
-        return;
-    }
+    if (!record.isForced && leaveOnRim(t)) return;
     const bool isLocked = mesh_.isOfFan(t) || isAtSmallAngle(record, shape);
     if (isLocked && !record.isForced) {
         mesh_.triangle(t).left = FacetLeft::SmallAngle;
@@ -304,58 +297,6 @@ bool FaceRefiner::isAtSmallAngle(const FaceTriangle& record, const FacetShape& s
         return !apex.isFree && (first.isOnShell || !first.isFree) && (last.isOnShell || !last.isFree);
     }
     return !first.isFree && !last.isFree && boundary_.spansSmallAngle(first.node, last.node);
-}
-
-// ---- rims of walls --------------------------------------------------------------------------------------------------
-
-/// Of the facet over a segment, if it is narrow from there to its corner beyond.
-std::optional<RimPlace> FaceRefiner::rimPlaceAt(EdgeLink side) const
-{
-    const SegmentId segment = mesh_.segment(side);
-    const VertexId apex = mesh_.apex(side);
-    if (rims_ == nullptr || !segment.isValid() || mesh_.vertex(apex).isFree) return std::nullopt;
-    const Vec3 &a = mesh_.position(mesh_.from(side)), &b = mesh_.position(mesh_.to(side)),
-               &c = mesh_.position(apex);
-    const double base = length(b - a);
-    const double width = length(cross(b - a, c - a)) / base;
-    // Not by its base: a facet of a fan between long and short segments is narrow as well. Nor by segments that were split for
-    // the sake of angles: good facets beside it would eat their way in.
-    const double longest =
-        std::max(std::sqrt(std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)})),
-                 boundary_.wholeLengthOf(segment));
-    if (!(width < kFlatFacet * longest)) return std::nullopt;
-    const BrepEdgeId edge = boundary_.edgeOf(segment);
-    std::optional<RimPlace> place;
-    mesh_.forEachTriangleAround(apex, [&](EdgeLink opposite) {
-        for (unsigned i = 1; i < 3; ++i) {
-            const EdgeLink next(opposite.triangle(), (opposite.edge() + i) % 3);
-            if (place || !mesh_.segment(next).isValid()) continue;
-            const BrepEdgeId other = boundary_.edgeOf(mesh_.segment(next));
-            if (other != edge && rims_->isBetween(mesh_.face(), edge, other))
-                place = RimPlace{{edge, other}, base, width};
-        }
-    });
-    return place;
-}
-
-std::optional<RimPlace> FaceRefiner::rimPlaceOf(TriangleId t) const
-{
-    for (const VertexId v : mesh_.triangle(t).v) {
-        if (mesh_.vertex(v).isFree) return std::nullopt;
-    }
-    for (unsigned k = 0; k < 3; ++k) {
-        if (const std::optional<RimPlace> place = rimPlaceAt(EdgeLink(t, k))) return place;
-    }
-    return std::nullopt;
-}
-
-bool FaceRefiner::hasFormerRim() const
-{
-    for (std::uint32_t i = 0; i < mesh_.triangleSlots(); ++i) {
-        const FaceTriangle& record = mesh_.triangle(TriangleId(i));
-        if (record.isAlive && record.left == FacetLeft::Rim && !rimPlaceOf(TriangleId(i))) return true;
-    }
-    return false;
 }
 
 // ---- segments --------------------------------------------------------------------------------------------------------

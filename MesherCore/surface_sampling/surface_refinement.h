@@ -38,12 +38,13 @@ public:
     [[nodiscard]] virtual double wholeLengthOf(SegmentId segment) const = 0;
 };
 
-/// A flat facet between two edges of its face, which may be on the rim of a wall.
+/// A flat facet between two edges of its face, on the rim of a wall or a strip.
 struct RimPlace
 {
     std::array<BrepEdgeId, 2> edge;
-    double length = 0.0;  ///< of its side on the first edge
-    double width = 0.0;   ///< from there to its corner on the second
+    double length = 0.0;   ///< of its side on the first edge
+    double width = 0.0;    ///< from there to its corner on the second
+    bool isStrip = false;  ///< of no wall that the rims know of
 };
 
 struct FaceRefinementOptions
@@ -64,6 +65,7 @@ struct FaceRefinementCounts
     std::size_t leftAtSmallAngles = 0;  ///< facets, see FacetLeft
     std::size_t leftForResolution = 0;  ///< facets
     std::size_t leftOnRims = 0;         ///< facets, see FaceRefiner::leaveFlatOn
+    std::size_t leftOnStrips = 0;       ///< facets
     std::size_t releasedFans = 0;       ///< facets of fans around tips that had to be split
     FacetSplitCounts splits;
 
@@ -118,8 +120,9 @@ public:
     void leaveFlatOn(const WallRims& rims) { rims_ = &rims; }
     /// Of a facet that is left so, or would be.
     [[nodiscard]] std::optional<RimPlace> rimPlaceOf(TriangleId t) const;
-    /// Whether facets were left on rims where none are to be left any more; these are to be looked at again then.
-    [[nodiscard]] bool hasFormerRim() const;
+    /// Whether facets were left where none are to be left any more; these are to be looked at again then. Others of strips are marked as
+    /// such.
+    [[nodiscard]] bool hasFormerRim();
     /// Those that were given up, since what is around them has changed, among facets made locally Delaunay where coarse ones
     /// could not be. False if there are none that are new.
     bool queueGivenUp(RunContext& context);
@@ -150,7 +153,11 @@ private:
     [[nodiscard]] bool isAtSmallAngle(const FaceTriangle& record, const FacetShape& shape) const;
     void proposeAround(VertexId v);
     void proposeIfEncroached(EdgeLink side);
+    void proposeIfNeeded(EdgeLink side);
+    [[nodiscard]] bool isTooLong(EdgeLink side) const;
+    bool leaveOnRim(TriangleId t);
     [[nodiscard]] std::optional<RimPlace> rimPlaceAt(EdgeLink side) const;
+    [[nodiscard]] std::optional<RimPlace> placeBetween(EdgeLink side) const;
     [[nodiscard]] EdgeLink sideOf(const SegmentVertex& split) const;
     bool removeApex(EdgeLink side);
     void flipAround(VertexId v);

@@ -20,6 +20,8 @@ struct WallRefinementOptions
     const RegionSides* sides = nullptr;
     /// Good tetrahedra that walls may take, their rims included; walls that take more are kept flat.
     double maxTets = 1e6;
+    /// The same for narrow faces of thick solids.
+    double maxStripTets = 1e6;
     /// Walls that are thinner are kept flat as well: nothing smaller may be asked for.
     double leastSize = 0.0;
     /// The edge that is wanted at a point, for surfaces whose facets are larger; none where they are as they are wanted.

@@ -1,5 +1,6 @@
 #include "surface_sampling/wall_rims.h"
 
+#include "delaunay/triangulation3d.h"
 #include "surface_sampling/sampled_faces.h"
 
 #include <algorithm>
@@ -58,9 +59,10 @@ bool WallRims::doFaceEachOther(const Beside& first, const Beside& second, Region
     });
 }
 
-/// Until the visitor returns true.
+/// Among those, or all that there may be; until the visitor returns true.
 template <class Visit>
-void WallRims::forEachWall(BrepFaceId face, BrepEdgeId a, BrepEdgeId b, Visit visit) const
+void WallRims::forEachWall(BrepFaceId face, BrepEdgeId a, BrepEdgeId b, const std::vector<WallSides>* among,
+                           Visit visit) const
 {
     for (const RegionId region : sides_[face]) {
         if (region.value == 0) continue;
@@ -72,8 +74,9 @@ void WallRims::forEachWall(BrepFaceId face, BrepEdgeId a, BrepEdgeId b, Visit vi
             for (const Beside& second : beside_[b]) {
                 if (!isOfWall(first) || !isOfWall(second)) continue;
                 const WallSides wall = WallSides::of(first.face, second.face, region);
-                if (isDecided_ && !std::binary_search(kept_.begin(), kept_.end(), wall)) continue;
-                if ((isDecided_ || doFaceEachOther(first, second, region)) && visit(wall)) return;
+                const bool isOne = among != nullptr ? std::binary_search(among->begin(), among->end(), wall)
+                                                    : doFaceEachOther(first, second, region);
+                if (isOne && visit(wall)) return;
             }
         }
     }
@@ -82,23 +85,51 @@ void WallRims::forEachWall(BrepFaceId face, BrepEdgeId a, BrepEdgeId b, Visit vi
 bool WallRims::isBetween(BrepFaceId face, BrepEdgeId a, BrepEdgeId b) const
 {
     bool isAny = false;
-    forEachWall(face, a, b, [&](const WallSides&) { return isAny = true; });
+    forEachWall(face, a, b, isDecided_ ? &kept_ : nullptr, [&](const WallSides&) { return isAny = true; });
     return isAny;
+}
+
+bool WallRims::isStrip(BrepFaceId face, BrepEdgeId a, BrepEdgeId b) const
+{
+    if (isDecided_ && !std::binary_search(strips_.begin(), strips_.end(), face)) return false;
+    bool isGoodRim = false;
+    forEachWall(face, a, b, &good_, [&](const WallSides&) { return isGoodRim = true; });
+    return !isGoodRim && !isEndOfGap(face, a, b);
+}
+
+bool WallRims::isEndOfGap(BrepFaceId face, BrepEdgeId a, BrepEdgeId b) const
+{
+    const auto isOutside = [&](BrepFaceId f) {
+        return sides_[f][0] == kExteriorRegion || sides_[f][1] == kExteriorRegion;
+    };
+    if (!isOutside(face)) return false;
+    for (const Beside& first : beside_[a]) {
+        for (const Beside& second : beside_[b]) {
+            if (first.face == face || second.face == face) continue;
+            if (isOutside(first.face) && isOutside(second.face) &&
+                doFaceEachOther(first, second, kExteriorRegion))
+                return true;
+        }
+    }
+    return false;
 }
 
 std::vector<WallSides> WallRims::wallsBetween(BrepFaceId face, BrepEdgeId a, BrepEdgeId b) const
 {
     std::vector<WallSides> walls;
-    forEachWall(face, a, b, [&](const WallSides& wall) {
+    forEachWall(face, a, b, isDecided_ ? &kept_ : nullptr, [&](const WallSides& wall) {
         walls.push_back(wall);
         return false;
     });
     return walls;
 }
 
-void WallRims::keep(std::vector<WallSides> walls)
+void WallRims::keep(std::vector<WallSides> walls, std::vector<WallSides> goodWalls,
+                    std::vector<BrepFaceId> strips)
 {
     kept_ = std::move(walls);
+    good_ = std::move(goodWalls);
+    strips_ = std::move(strips);
     isDecided_ = true;
 }
 

@@ -284,14 +284,22 @@ void keepDearWalls(std::vector<SurveyedWall>& walls, double budget, double least
     }
 }
 
-std::vector<WallSides> keptOf(const std::vector<SurveyedWall>& walls)
+namespace {
+
+std::vector<WallSides> sidesOf(const std::vector<SurveyedWall>& walls, bool isKept)
 {
-    std::vector<WallSides> kept;
+    std::vector<WallSides> sides;
     for (const SurveyedWall& wall : walls) {
-        if (wall.isKept) kept.push_back(wall.sides);
+        if (wall.isKept == isKept) sides.push_back(wall.sides);
     }
-    std::sort(kept.begin(), kept.end());
-    return kept;
+    std::sort(sides.begin(), sides.end());
+    return sides;
 }
+
+}  // namespace
+
+std::vector<WallSides> keptOf(const std::vector<SurveyedWall>& walls) { return sidesOf(walls, true); }
+
+std::vector<WallSides> goodOf(const std::vector<SurveyedWall>& walls) { return sidesOf(walls, false); }
 
 }  // namespace mesher

@@ -52,5 +52,7 @@ void keepDearWalls(std::vector<SurveyedWall>& walls, double budget, double least
 
 /// The sides of those that are kept, ascending.
 [[nodiscard]] std::vector<WallSides> keptOf(const std::vector<SurveyedWall>& walls);
+/// And of the others.
+[[nodiscard]] std::vector<WallSides> goodOf(const std::vector<SurveyedWall>& walls);
 
 }  // namespace mesher
