@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace mesher {
 
@@ -47,19 +48,26 @@ void writeLastWords(const LastWords& words)
 
 /// A process that waits for this one hears what the terminal or a group is sent as well and hands it on, so that only what comes
 /// from there counts. Once it is gone nobody else would end a run that does not listen.
-bool isMeant(const siginfo_t& info)
+bool isMeant(int number)
 {
     constexpr unsigned kPatience = 2;  // seconds
     const int waiting = supervisorProcess();
     if (waiting == 0) return true;
     if (getppid() != waiting) alarm(kPatience);
-    return info.si_pid == waiting;
+    return number == kHandedOn;
 }
 
-extern "C" void onSignal(int, siginfo_t* info, void*)
+std::vector<int> heardBy(bool isSupervised)
+{
+    std::vector<int> numbers = {SIGINT, SIGTERM};
+    if (isSupervised) numbers.push_back(kHandedOn);
+    return numbers;
+}
+
+extern "C" void onSignal(int number)
 {
     const Phase phase = activePhase.load();
-    if (phase == Phase::Ending || !isMeant(*info)) return;
+    if (phase == Phase::Ending || !isMeant(number)) return;
     RunContext* context = activeContext.load();
     if (context != nullptr && phase == Phase::Cooperative && !context->isCancelled()) {
         context->requestCancel();
@@ -79,19 +87,17 @@ InterruptScope::InterruptScope(RunContext& context)
     struct sigaction action
     {
     };
-    action.sa_sigaction = onSignal;
-    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int number : heardBy(isSupervised())) sigaction(number, &action, nullptr);
 }
 
 InterruptScope::~InterruptScope()
 {
     // The status of a supervised run is decided: a signal on its way out must not make it look cancelled.
     const auto after = isSupervised() ? SIG_IGN : SIG_DFL;
-    std::signal(SIGINT, after);
-    std::signal(SIGTERM, after);
+    for (const int number : heardBy(isSupervised())) std::signal(number, after);
     activeContext.store(nullptr);
     activePhase.store(Phase::Immediate);
     delete lastWords.exchange(nullptr);

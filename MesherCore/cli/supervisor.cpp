@@ -69,7 +69,7 @@ public:
             const int number = sigtimedwait(&heard, &info, &most);
             if (number == SIGINT || number == SIGTERM) {
                 isAsked_ = true;
-                kill(child_, number);
+                kill(child_, kHandedOn);
             }
             if (isOver()) {
                 isTimeUp_ = true;

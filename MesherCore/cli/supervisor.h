@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/exit_status.h"
 
+#include <csignal>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ namespace mesher {
 [[nodiscard]] bool isSupervised();
 /// The process that waits for this one, 0 if none does.
 [[nodiscard]] int supervisorProcess();
+
+/// What the waiting process hands SIGINT and SIGTERM on as: such a signal of a whole group may be pending in the run already, and the
+/// system keeps one of each kind only.
+inline constexpr int kHandedOn = SIGUSR1;
 
 /// What the run is about; told if it crashes.
 void noteStage(std::string_view stage);

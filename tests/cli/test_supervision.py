@@ -73,6 +73,16 @@ class TestSupervision(Case):
                 waiting.send_signal(number)
                 self.expect_end(waiting, 130, "cancelled")
 
+    def test_a_signal_to_both_processes_is_heard_once(self):
+        """As `timeout` sends it: to the waiting process and to its group, while the run has no time to look."""
+        waiting, run = self.start()
+        os.kill(run, signal.SIGSTOP)
+        os.kill(run, signal.SIGTERM)
+        waiting.send_signal(signal.SIGTERM)
+        time.sleep(0.2)
+        os.kill(run, signal.SIGCONT)
+        self.expect_end(waiting, 130, "cancelled")
+
     def test_no_run_outlives_who_waits_for_it(self):
         waiting, run = self.start()
         waiting.kill()
