@@ -161,6 +161,11 @@ class TestRefusals(Case):
         self.expect(0, "mesh", "square.step", "--dimension", 2, "--size", 0.2, "-o", "m.msh", "--check")
         self.expect(0, "check", "m.msh", "--model", "square.step")
 
+    def test_iges_model(self):
+        run = self.expect(0, "mesh", DATA / "box.iges", "--size", 1, "-o", "m.msh", "--check")
+        self.assertRegex(run.stderr, "faces without edges in common were sewn")
+        self.assertIn("format: IGES", self.expect(0, "info", DATA / "box.iges").stdout)
+
     def test_a_program_without_its_modules_says_so(self):
         """Copied to where the readers of STEP and IGES are not."""
         (self.folder / "square.step").write_text(STEP_SQUARE)

@@ -2,7 +2,6 @@
 
 #include <Interface_Check.hxx>
 #include <Interface_ReportEntity.hxx>
-#include <StepRepr_RepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 
 #include <algorithm>
@@ -12,15 +11,6 @@
 namespace mesher {
 
 namespace {
-
-/// Points, curves, surfaces, edges, faces and the like.
-bool isOfShape(const Handle(Standard_Transient) & entity)
-{
-    const std::string_view type = entity->DynamicType()->Name();
-    if (type.starts_with("IGESGeom_") || type.starts_with("IGESSolid_")) return true;
-    return entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem)) &&
-           (type.starts_with("StepGeom_") || type.starts_with("StepShape_"));
-}
 
 /// Fields that say nothing about where a shape is: the schema wants them, many writers leave them unset, and the kernel's readers do
 /// without. The kernel tells of a field by its name in parentheses.
@@ -63,7 +53,7 @@ std::string reasonOf(const std::string& text)
 
 }  // namespace
 
-std::optional<std::string> findDamage(const Handle(Interface_InterfaceModel) & model)
+std::optional<std::string> findDamage(const Handle(Interface_InterfaceModel) & model, IsOfShape isOfShape)
 {
     for (int i = 1; i <= model->NbEntities(); ++i) {
         if (!model->IsReportEntity(i)) continue;

@@ -8,10 +8,17 @@
 #include <TCollection_HAsciiString.hxx>
 
 #include <optional>
+#include <string_view>
 
 namespace mesher {
 
 namespace {
+
+bool isOfShape(const Handle(Standard_Transient) & entity)
+{
+    const std::string_view type = entity->DynamicType()->Name();
+    return type.starts_with("IGESGeom_") || type.starts_with("IGESSolid_");
+}
 
 Result<ShapeFromFile> readIges(const std::string& name)
 {
@@ -20,7 +27,7 @@ Result<ShapeFromFile> readIges(const std::string& name)
     const IFSelect_ReturnStatus status = reader.ReadFile(name.c_str());
     if (status != IFSelect_RetDone)
         return unreadableFile(name, "the IGES file cannot be read: " + reasonOf(status));
-    if (const std::optional<std::string> damage = findDamage(reader.IGESModel()))
+    if (const std::optional<std::string> damage = findDamage(reader.IGESModel(), isOfShape))
         return unreadableFile(name, "the IGES file is damaged at " + *damage);
     Result<TopoDS_Shape> shape = transfer(reader, name);
     if (!shape) return shape.error();

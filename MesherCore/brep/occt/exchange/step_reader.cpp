@@ -8,12 +8,14 @@
 #include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 namespace mesher {
 
@@ -41,6 +43,13 @@ std::vector<std::string> partsOf(const Handle(StepData_StepModel) & model)
     return names;
 }
 
+bool isOfShape(const Handle(Standard_Transient) & entity)
+{
+    const std::string_view type = entity->DynamicType()->Name();
+    return entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem)) &&
+           (type.starts_with("StepGeom_") || type.starts_with("StepShape_"));
+}
+
 Result<ShapeFromFile> readStep(const std::string& content, const std::string& name)
 {
     STEPControl_Reader reader;
@@ -49,7 +58,7 @@ Result<ShapeFromFile> readStep(const std::string& content, const std::string& na
     const IFSelect_ReturnStatus status = reader.ReadStream(name.c_str(), stream);
     if (status != IFSelect_RetDone)
         return unreadableFile(name, "the STEP file cannot be read: " + reasonOf(status));
-    if (const std::optional<std::string> damage = findDamage(reader.StepModel()))
+    if (const std::optional<std::string> damage = findDamage(reader.StepModel(), isOfShape))
         return unreadableFile(name, "the STEP file is damaged at " + *damage);
     Result<TopoDS_Shape> shape = transfer(reader, name);
     if (!shape) return shape.error();
