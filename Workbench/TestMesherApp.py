@@ -13,7 +13,7 @@ import Part
 import mesher
 from mesher.fem_mesh import of_fem_mesh
 
-from MesherWorkbench import exporter, make_mesh
+from MesherWorkbench import exporter, make_mesh, update
 from MesherWorkbench.factory import _OPTIONS
 from MesherWorkbench.tools.inspection import MeshArrays, boundary_of, used_of
 from MesherWorkbench.tools.mesh_tool import MeshTool
@@ -265,6 +265,71 @@ class SeveralObjects(_DocumentTest):
         self.assertAlmostEqual(min(node.x for node in mesh.FemMesh.Nodes.values()), 5.0)
 
 
+    def test_a_container_has_all_its_parts_whatever_is_shown(self):
+        group = self.document.addObject("App::Part", "Group")
+        parts = [self._feature(Part.makeBox(1, 1, 1, FreeCAD.Vector(2 * i, 0, 0))) for i in range(2)]
+        for part in parts:
+            group.addObject(part)
+        parts[0].Visibility = False
+        self.document.recompute()
+        mesh = make_mesh(group, size=0.5, local_sizes={f"{group.Name}.{parts[0].Name}.Face1": 0.25})
+        groups = {mesh.FemMesh.getGroupName(number) for number in mesh.FemMesh.Groups}
+        self.assertLessEqual({part.Label for part in parts}, groups)
+        parts[1].Visibility = False
+        mesh.touch()
+        self.document.recompute()
+        self.assertFalse(mesh.IsStale)
+
+    def test_a_mesh_of_its_own_place_comes_back_to_its_shape(self):
+        part = self._feature(Part.makeBox(1, 1, 1))
+        mesh = make_mesh(part, size=0.5)
+        mesh.Placement.Base.x = 100
+        update(mesh)
+        self.assertAlmostEqual(min(node.x for node in mesh.FemMesh.Nodes.values()), 0.0)
+        self.assertEqual(mesh.Placement, FreeCAD.Placement())
+
+
+class Stale(_DocumentTest):
+    def test_not_after_saving_and_reopening(self):
+        turned = Part.makeCylinder(3, 7)
+        turned.Placement = FreeCAD.Placement(FreeCAD.Vector(1, 2, 3), FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 40))
+        box = Part.makeBox(4, 4, 4)
+        shapes = [Part.makeCylinder(5, 20), Part.makeSphere(5), Part.makeCone(5, 2, 8), Part.makeTorus(5, 1), turned,
+                  Part.makeBox(4, 4, 4).fuse(turned), Part.makeBox(9, 9, 9).cut(Part.makeSphere(5)),
+                  box.makeFillet(1, box.Edges[:3])]
+        names = [make_mesh(self._feature(shape), size=4.0).Name for shape in shapes]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "shapes.FCStd")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+        for name in names:
+            self.document.getObject(name).touch()
+        self.document.recompute()
+        self.assertEqual([name for name in names if self.document.getObject(name).IsStale], [])
+
+    def test_after_a_small_change_and_no_longer_when_it_is_taken_back(self):
+        part = self._feature(Part.makeCylinder(5, 20))
+        mesh = make_mesh(part, size=4.0)
+        for radius, is_stale in ((5.001, True), (5.0, False)):
+            part.Shape = Part.makeCylinder(radius, 20)
+            self.document.recompute()
+            self.assertEqual(mesh.IsStale, is_stale)
+
+    def test_when_a_container_moves(self):
+        group = self.document.addObject("App::Part", "Group")
+        part = self._feature(Part.makeBox(1, 1, 1))
+        group.addObject(part)
+        self.document.recompute()
+        mesh = make_mesh(part, size=0.5)
+        group.Placement.Base.x = 50
+        self.document.recompute()
+        self.assertTrue(mesh.IsStale)
+        update(mesh)
+        self.assertFalse(mesh.IsStale)
+        self.assertAlmostEqual(min(node.x for node in mesh.FemMesh.Nodes.values()), 50.0)
+
+
 class Refusals(_DocumentTest):
     def test_object_without_a_shape(self):
         with self.assertRaises(TypeError):
@@ -489,6 +554,10 @@ class Export(_DocumentTest):
                                         ([[0, 1]], [0], ValueError)):
             with self.assertRaises(error):
                 mesher.Mesh.of_arrays(nodes, triangles, faces)
+        with self.assertRaises(ValueError):
+            mesher.Mesh.of_arrays([[0, 0, float("nan")], *nodes[1:]], [[0, 1, 2]], [0])
+        with self.assertRaisesRegex(ValueError, "no report"):
+            mesher.Mesh.of_arrays(nodes, [[0, 1, 2]], [0]).quality()
 
 
 class Inspection(_DocumentTest):

@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -93,8 +94,12 @@ void addNodes(ClassifiedMesh& mesh, const Rows<double>& places)
 {
     if (places.ndim() != 2 || places.shape(1) != 3) throw py::value_error("nodes are rows of three numbers");
     const auto rows = places.unchecked<2>();
-    for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-        mesh.nodes.push_back({{rows(i, 0), rows(i, 1), rows(i, 2)}, EntityRef{}, {}});
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+        const Vec3 place{rows(i, 0), rows(i, 1), rows(i, 2)};
+        if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z))
+            throw py::value_error("node " + std::to_string(i) + " has a coordinate that is no finite number");
+        mesh.nodes.push_back({place, EntityRef{}, {}});
+    }
 }
 
 /// Of a node that is on another entity: where it is on two of one dimension, it is on what they meet in, which nobody names.

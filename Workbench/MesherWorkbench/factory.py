@@ -9,6 +9,7 @@ import mesher
 from .objects.mesh import MesherMesh
 from .tools import size_words
 from .tools.mesh_tool import MeshTool
+from .tools.places import is_container, place_in_containers
 
 _PROPERTY_OF_OPTION = {
     "size": "CharacteristicLengthMax",
@@ -94,9 +95,11 @@ def make_mesh_object(source, *, name="Mesh", **options):
     try:
         MesherMesh(obj)
         obj.Part = part
-        if isinstance(source, list) and len(source) > 1:
-            obj.Containers = [_part_and_names(one)[0] for one in source]
-            obj.ContainerPaths = [""] * len(source)
+        parts = [_part_and_names(one)[0] for one in source] if isinstance(source, list) else [part]
+        places = [place_in_containers(one) for one in parts]
+        if len(places) > 1 or places[0].path or is_container(part):
+            obj.Containers = [place.top for place in places]
+            obj.ContainerPaths = [place.path for place in places]
         if names:
             obj.References = [(part, tuple(names))]
         _set_options(obj, is_faces=bool(names), **options)
@@ -143,6 +146,6 @@ def _part_and_names(source):
         return part, list(names)
     if hasattr(source, "SubElementNames"):
         return source.Object, [name for name in source.SubElementNames if name.startswith("Face")]
-    if not isinstance(getattr(source, "Shape", None), Part.Shape):
+    if not is_container(source) and not isinstance(getattr(source, "Shape", None), Part.Shape):
         raise TypeError(f"{getattr(source, 'Label', type(source).__name__)} has no shape that could be meshed")
     return source, []

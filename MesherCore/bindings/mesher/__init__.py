@@ -95,6 +95,8 @@ def info(source, heal=False):
 
 def _quality(self):
     """Of the elements, as in the report: smallest and largest angle in degrees, histogram, ratios."""
+    if not hasattr(self, "report"):
+        raise ValueError("a mesh that was made of arrays has no report of its quality")
     return self.report["quality"]
 
 

@@ -61,7 +61,9 @@ class _MeshCommand:
             return
         from ..taskpanels.task_mesh import TaskMesh
 
-        part = object_at(next(iter(picked)))
+        first = next(iter(picked))
+        # What a link shows of another document stays there, the mesh does not.
+        part = object_at(first) if object_at(first).Document == first.top.Document else first.top
 
         def make():
             size = first_size(Part.makeCompound([piece.shape for piece in pieces]))

@@ -19,7 +19,8 @@ class SceneMesh:
         self._root = view.RootNode
         self._colour = colour
         self._node = coin.SoAnnotation() if in_front else coin.SoSeparator()
-        self._root.addChild(self._node)
+        # Before the placement of the object, which the nodes of its mesh have already.
+        self._root.insertChild(self._node, 0)
 
     def show(self, points, triangles):
         """In place of those before; none for None."""

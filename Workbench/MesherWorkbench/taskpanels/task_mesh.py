@@ -141,17 +141,20 @@ class TaskMesh:
         property_name = dict(_LENGTHS).get(name)
         return new_quantity_field(self._obj, property_name) if property_name else new_quantity_field()
 
-    def _let_lengths_go(self):
+    def _put(self, name, value):
         # FreeCAD takes the form away from a panel that it has closed.
         if self.form is not None:
-            self.form.setProperty("bound", False)
+            self.form.setProperty(name, value)
+
+    def _let_lengths_go(self):
+        self._put("bound", False)
 
     def _show_options(self):
         for name, property_name in _LENGTHS:
-            self.form.setProperty(name, getattr(self._obj, property_name).Value)
+            self._put(name, getattr(self._obj, property_name).Value)
         for name, property_name in _NUMBERS:
-            self.form.setProperty(name, getattr(self._obj, property_name))
-        self.form.setProperty("localSizes", {name: FreeCAD.Units.Quantity(length).Value
+            self._put(name, getattr(self._obj, property_name))
+        self._put("localSizes", {name: FreeCAD.Units.Quantity(length).Value
                                              for name, length in self._obj.LocalSizes.items()})
 
     def _values(self):
@@ -192,8 +195,8 @@ class TaskMesh:
         self._expressions = dict(self._obj.ExpressionEngine)
 
     def _show_result(self):
-        self.form.setProperty("summary", texts.summary_of(self._obj))
-        self.form.setProperty("histogram", texts.histogram_of(self._obj))
+        self._put("summary", texts.summary_of(self._obj))
+        self._put("histogram", texts.histogram_of(self._obj))
 
     def _show_place(self, number):
         """Where elements were left bad: zooms there, and selects what is to blame."""
@@ -218,7 +221,7 @@ class TaskMesh:
             return
         first = 0.5 * (self.form.property("size") or first_size(meshed_shape(self._obj).whole))
         sizes = self.form.property("localSizes")
-        self.form.setProperty("localSizes", {**dict.fromkeys(names, first), **sizes})
+        self._put("localSizes", {**dict.fromkeys(names, first), **sizes})
         self._on_options_changed()
 
     def _selected_names(self):
@@ -241,7 +244,7 @@ class TaskMesh:
         if self._estimate is not None:
             self._estimate.cancel()
         # That of other sizes would be taken for that of these.
-        self.form.setProperty("estimate", translated("estimating"))
+        self._put("estimate", translated("estimating"))
         self._estimator.start(_PAUSE_BEFORE_ESTIMATE)
 
     def _start_estimate(self):
@@ -253,7 +256,7 @@ class TaskMesh:
         try:
             tool = self._known = MeshTool(self._obj, self._values(), self._known)
         except Exception as error:
-            self.form.setProperty("estimate", in_words_of_panel(error))
+            self._put("estimate", in_words_of_panel(error))
             return
         self._is_volume = tool.is_volume
         self._estimate = BackgroundTask(tool.estimate)
@@ -262,11 +265,11 @@ class TaskMesh:
     def _finish_estimate(self):
         task, self._estimate = self._estimate, None
         if task.error is None:
-            self.form.setProperty("estimate", texts.estimate_text(task.result, self._is_volume))
+            self._put("estimate", texts.estimate_text(task.result, self._is_volume))
         else:
             # A mesh may be possible all the same: curved faces, for one, have no estimate.
             is_told = isinstance(task.error, (mesher.OptionError, mesher.ModelError))
-            self.form.setProperty("estimate", in_words_of_panel(task.error) if is_told else "")
+            self._put("estimate", in_words_of_panel(task.error) if is_told else "")
 
     # the run
     def start(self):
@@ -282,8 +285,8 @@ class TaskMesh:
             return
         self._stopped_at = None
         self._started_at = time.monotonic()
-        self.form.setProperty("summary", "")
-        self.form.setProperty("running", True)
+        self._put("summary", "")
+        self._put("running", True)
         self._task = BackgroundTask(self._tool.run, self._wake)
         self._poller.start(_POLL_MILLISECONDS)
 
@@ -295,7 +298,7 @@ class TaskMesh:
         self._task.cancel()
         self._poller.start(_POLL_MILLISECONDS)
         self._stopped_at = time.monotonic()
-        self.form.setProperty("stage", translated("stopping"))
+        self._put("stage", translated("stopping"))
 
     def _wake(self):
         """In any thread."""
@@ -322,14 +325,18 @@ class TaskMesh:
             if stage == HANDING_OVER:
                 # Whoever asks in Python would wait until FreeCAD has read the mesh, and the window with him.
                 self._poller.stop()
-            self.form.setProperty("stage", texts.stage_text(stage, time.monotonic() - self._started_at))
-            self.form.setProperty("fraction", fraction)
+            self._put("stage", texts.stage_text(stage, time.monotonic() - self._started_at))
+            self._put("fraction", fraction)
             return
         self._task = None
-        if task.error is None:
-            self._take_in(task.result)
-        else:
-            self._tell(task.error)
+        try:
+            if task.error is None:
+                self._take_in(task.result)
+            else:
+                self._tell(task.error)
+        except Exception as error:  # of FreeCAD: an expression may have lost what it is about meanwhile
+            self._finish(in_words_of_panel(error))
+            show_refusal(in_words_of_panel(error))
 
     def _take_in(self, mesh, is_whole=True):
         if not self._is_alive():
@@ -341,7 +348,7 @@ class TaskMesh:
 
     def _fill_in(self, mesh, is_whole):
         """FreeCAD takes seconds for a million elements, in which its window rests. No line of a macro makes a part of a mesh."""
-        self.form.setProperty("stage", texts.handing_over_text())
+        self._put("stage", texts.handing_over_text())
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
@@ -368,7 +375,7 @@ class TaskMesh:
         show_refusal(in_words_of_panel(error))
 
     def _finish(self, text, fraction=0.0):
-        self.form.setProperty("running", False)
-        self.form.setProperty("fraction", fraction)
-        self.form.setProperty("stage", text)
+        self._put("running", False)
+        self._put("fraction", fraction)
+        self._put("stage", text)
         self._on_options_changed()

@@ -70,6 +70,8 @@ class MeshTool:
 
     def fill_in(self, mesh):
         obj = self._obj
+        # It is made where its shape is seen.
+        obj.Placement = FreeCAD.Placement()
         ready, fem_mesh = self._ready
         obj.FemMesh = fem_mesh if ready is mesh else mesh.to_fem_mesh(names=self._names)
         self._ready = None, None

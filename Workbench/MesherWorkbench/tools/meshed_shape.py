@@ -4,7 +4,7 @@ import Part
 import mesher
 
 from .places import Place, name_at, object_at, piece_of, pieces_at
-from .shape_hash import hash_of
+from .shape_hash import hash_of, is_same
 
 _KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 
@@ -83,7 +83,7 @@ def differs_from_mesh(obj):
     if not obj.ShapeHash:
         return False
     try:
-        return hash_of(meshed_shape(obj).whole) != obj.ShapeHash
+        return not is_same(hash_of(meshed_shape(obj).whole), obj.ShapeHash)
     except mesher.ModelError:
         return True
 

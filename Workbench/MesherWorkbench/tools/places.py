@@ -23,6 +23,14 @@ def place_of(top, sub):
     return Place(top, path), element
 
 
+def place_in_containers(obj):
+    """Of an object that is meant by itself, where its containers have it; a container is a place of its own."""
+    for top, path in getattr(obj, "Parents", ()):
+        if top.Document == obj.Document and not hasattr(top, "LinkedObject"):
+            return Place(top, path)
+    return Place(obj, "")
+
+
 def object_at(place):
     """None where it is gone."""
     return _object_at(place.top, place.path)
@@ -36,7 +44,7 @@ def shown_by(place):
 
 def pieces_at(place):
     """What is seen there, one by one."""
-    if _is_container(object_at(place)):
+    if is_container(object_at(place)):
         return [piece for path in object_at(place).getSubObjects()
                 for piece in pieces_at(Place(place.top, place.path + path))]
     shape = Part.getShape(place.top, place.path, needSubElement=False, transform=True)
@@ -62,7 +70,7 @@ def _object_at(top, path):
     return top.getSubObject(path, retType=1) if path else top
 
 
-def _is_container(obj):
+def is_container(obj):
     """Bodies and compounds have a shape of their own."""
     linked = obj.getLinkedObject() if hasattr(obj, "getLinkedObject") else obj
     return linked.isDerivedFrom("App::Part") or linked.TypeId == "App::DocumentObjectGroup" or linked.TypeId == "App::LinkGroup"

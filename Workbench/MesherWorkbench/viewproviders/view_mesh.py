@@ -3,7 +3,7 @@ import FreeCADGui
 from pivy import coin
 
 from .. import resources
-from ..messages import show_refusal, translated
+from ..messages import in_words_of_panel, show_refusal, translated
 from ..tools.places import Place, object_at, shown_by
 from ..tools.undo_steps import UndoSteps
 
@@ -13,6 +13,7 @@ _LINE_WIDTH = 2.0  # pixels
 
 class ViewMesherMesh:
     _starts = False  # whether the panel that opens begins a run
+    _panel = None
 
     def __init__(self, view):
         view.Proxy = self
@@ -56,13 +57,22 @@ class ViewMesherMesh:
         if FreeCADGui.Control.activeDialog():
             show_refusal(translated("Another task is open. Finish it first."))
             return None
-        panel = TaskMesh(view.Object, UndoSteps(view.Object.Document))
+        steps = UndoSteps(view.Object.Document)
+        try:
+            self._panel = panel = TaskMesh(view.Object, steps)
+        except Exception as error:  # values that make no sense can be typed into the properties
+            steps.end()
+            show_refusal(in_words_of_panel(error))
+            return None
         FreeCADGui.Control.showDialog(panel)
         if self._starts:
             panel.start()
         return panel
 
     def unsetEdit(self, view, mode):
+        # Nobody else tells it, as when another object is edited.
+        if self._panel is not None:
+            self._panel.leave()
         FreeCADGui.Control.closeDialog()
 
     def doubleClicked(self, view):
