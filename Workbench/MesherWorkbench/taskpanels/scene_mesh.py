@@ -14,11 +14,12 @@ def zoom_to(view3d, point, reach):
 class SceneMesh:
     """Flat triangles with their edges; `in_front` draws them over all else."""
 
-    def __init__(self, view, colour, in_front=False):
+    def __init__(self, view, name, colour, in_front=False):
         # The view itself may be gone before its nodes are.
         self._root = view.RootNode
         self._colour = colour
         self._node = coin.SoAnnotation() if in_front else coin.SoSeparator()
+        self._node.setName(name)
         # Before the placement of the object, which the nodes of its mesh have already.
         self._root.insertChild(self._node, 0)
 

@@ -26,8 +26,8 @@ class TaskInspection:
         self._is_open = True
         self._worst = self._arrays.worst(_WORST_COUNT)
         self._visibility = SceneVisibility(obj.ViewObject)
-        self._mark = SceneMesh(obj.ViewObject, _WORST_COLOUR, in_front=True)
-        self._cut = SceneMesh(obj.ViewObject, _CUT_COLOUR)
+        self._mark = SceneMesh(obj.ViewObject, "MesherWorst", _WORST_COLOUR, in_front=True)
+        self._cut = SceneMesh(obj.ViewObject, "MesherCut", _CUT_COLOUR)
         self._is_shown = True
         self.form = widget_at(mesher_gui.create_inspection_panel())
         self.form.setWindowTitle(translated("Inspect {label}").format(label=obj.Label))
