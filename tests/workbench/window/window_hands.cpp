@@ -3,11 +3,13 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScreen>
 #include <QTableWidget>
@@ -76,6 +78,11 @@ QVariant variantOf(const py::object& value)
 
 void set(const std::string& name, const std::string& property, const py::object& value)
 {
+    // FreeCAD's field for expressions is a line of text in some versions, and a text of several lines in others.
+    if (auto* area = qobject_cast<QPlainTextEdit*>(&the<>(name)); area != nullptr && property == "text") {
+        area->setPlainText(QString::fromStdString(value.cast<std::string>()));
+        return;
+    }
     if (!the<>(name).setProperty(property.c_str(), variantOf(value)))
         throw std::runtime_error(name + " has no property " + property);
 }
@@ -121,6 +128,15 @@ std::string cell(const std::string& name, int row, int column)
 void followLink(const std::string& name, const std::string& link)
 {
     Q_EMIT the<QLabel>(name).linkActivated(QString::fromStdString(link));
+}
+
+/// As by its button, which has another name in each version of FreeCAD.
+void acceptDialog(const std::string& className)
+{
+    const std::vector<QDialog*> open = visible<QDialog>(
+        [&](const QDialog& dialog) { return className == dialog.metaObject()->className(); });
+    if (open.size() != 1) throw std::runtime_error(std::to_string(open.size()) + " visible " + className);
+    open.front()->accept();
 }
 
 /// The entry of the menu.
@@ -175,6 +191,7 @@ PYBIND11_MODULE(window_hands, module)
     module.def("rows", [](const std::string& name) { return the<QTableWidget>(name).rowCount(); });
     module.def("select_row",
                [](const std::string& name, int row) { the<QTableWidget>(name).selectRow(row); });
+    module.def("accept_dialog", &acceptDialog);
     module.def("follow_link", &followLink);
     module.def("count_buttons", [](const std::string& word) { return panelButtons(word).size(); });
     module.def("press", &press);
