@@ -140,11 +140,10 @@ void acceptDialog(const std::string& className)
 }
 
 /// The entry of the menu.
-void trigger(const std::string& name)
+QAction& actionOf(const std::string& name)
 {
     for (QWidget* window : QApplication::topLevelWidgets()) {
-        if (auto* action = window->findChild<QAction*>(QString::fromStdString(name)))
-            return action->trigger();
+        if (auto* action = window->findChild<QAction*>(QString::fromStdString(name))) return *action;
     }
     throw std::runtime_error("no action " + name);
 }
@@ -195,7 +194,8 @@ PYBIND11_MODULE(window_hands, module)
     module.def("follow_link", &followLink);
     module.def("count_buttons", [](const std::string& word) { return panelButtons(word).size(); });
     module.def("press", &press);
-    module.def("trigger", &trigger);
+    module.def("trigger", [](const std::string& name) { actionOf(name).trigger(); });
+    module.def("is_enabled", [](const std::string& name) { return actionOf(name).isEnabled(); });
     module.def("count_messages", [] { return messages().size(); });
     module.def("close_message", &closeMessage);
     module.def("hide_dock", &hideDock);
