@@ -8,12 +8,6 @@
 
 namespace mesher {
 
-namespace {
-
-constexpr double kConfusion = 1e-7;
-
-}  // namespace
-
 double EdgeFitting::gapOf(const BrepEdge& edge, const ParameterCurve& curve, const Surface& surface) const
 {
     constexpr int kSamples = 16;

@@ -4,6 +4,9 @@
 
 namespace mesher {
 
+/// Distance, in millimetres, below which the kernel takes two points for one: gaps below it are none.
+inline constexpr double kConfusion = 1e-7;
+
 /// Makes parameter curves agree with the curves of edges, which files do only within tolerances.
 class EdgeFitting
 {

@@ -14,8 +14,6 @@ namespace mesher {
 
 namespace {
 
-constexpr double kConfusion = 1e-7;
-
 /// Where an edge should be at a parameter.
 class EdgeTarget
 {

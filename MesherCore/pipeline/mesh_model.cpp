@@ -96,6 +96,7 @@ MeshOutcome meshWithinTolerances(const BrepModel& model, const MeshOptions& opti
 {
     constexpr int kMostRepeats = 3;
     MeshOutcome outcome = meshOrTellFailure(model, options, fromFiles, boundaryOrder, context);
+    if (outcome.report.failures.empty()) return outcome;
     BrepModel changed = model;
     std::vector<std::string> notes;
     for (int i = 0; i < kMostRepeats && outcome.report.stopReason == StopReason::Done; ++i) {

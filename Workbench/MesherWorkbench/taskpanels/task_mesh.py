@@ -348,7 +348,7 @@ class TaskMesh:
 
     def _fill_in(self, mesh, is_whole):
         """FreeCAD takes seconds for a million elements, in which its window rests. No line of a macro makes a part of a mesh."""
-        self._put("stage", texts.handing_over_text())
+        self._put("stage", translated(HANDING_OVER))
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)

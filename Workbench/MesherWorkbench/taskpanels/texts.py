@@ -20,10 +20,6 @@ def stage_text(stage, seconds):
     return f"{stage[:1].upper()}{stage[1:]}, {_time(seconds)}" if stage else translated("beginning")
 
 
-def handing_over_text():
-    return translated("handing the mesh to FreeCAD")
-
-
 def done_text(seconds):
     return translated("done in {time}").format(time=_time(seconds))
 
